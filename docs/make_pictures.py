@@ -7,6 +7,7 @@ docs/img/*.png.
     models      the pressures of examples/compare_models.py (README)
     sections    sections of a crossing's nose (docs/guides/sections.md)
     along_track     a wheelset over a dipped weld (docs/guides/sections.md)
+    around_wheel    a wheelset with a flat (docs/guides/wheels.md)
     profiles    the standard profiles (docs/guides/profiles_of_the_world.md)
     conformal   planar against conformal theory (docs/theory/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
@@ -120,7 +121,17 @@ def demo():
 
 def along_track():
     """The picture of the example with a dipped weld."""
-    example = Path(__file__).resolve().parents[1] / "examples" / "dipped_weld.py"
+    return of_example("dipped_weld")
+
+
+def around_wheel():
+    """The picture of the example with a flat."""
+    return of_example("wheel_flat")
+
+
+def of_example(name):
+    """The figure that an example draws."""
+    example = Path(__file__).resolve().parents[1] / "examples" / f"{name}.py"
     with TemporaryDirectory() as folder, inside(folder):
         return runpy.run_path(str(example))["figure"]
 
@@ -210,6 +221,7 @@ PICTURES = {
     "profiles": lambda: draw_profiles(every_profile()),
     "sections": sections,
     "along_track": along_track,
+    "around_wheel": around_wheel,
     "models": models,
     "conformal": conformal,
     "source_5_8": partial(source, "5.8"),

@@ -170,10 +170,11 @@ from .methods import (
 {families}
 )
 from .profiles import Profile, ProfileFile
-from .sections import RailSections
+from .sections import RailSections, WheelSections
 
 OneProfile = str | PathLike[str] | ProfileFile | Profile
 OneRail = OneProfile | RailSections
+OneWheel = OneProfile | WheelSections
 Depth = Literal["all", "patches", "geometry"]
 Wanted = Depth | str | Iterable[str]
 Sides = Literal["both", "left", "right"]
@@ -191,7 +192,7 @@ def parameter_type(row, single=False):
     """The type of one keyword of ContactSystem; ``single`` of one wheel's."""
     number = row.number or (PARAMETERS[row.right].number if row.right else None)
     if row.right in PROFILES:
-        typed = "OneRail" if row.right == "rail" else "OneProfile"
+        typed = "OneRail" if row.right == "rail" else "OneWheel"
     elif row.family:
         typed = f"{base_of(row.family)}Name | {base_of(row.family)}"
         typed += " | Callable[..., Any]" if row.name in STAND_INS else ""

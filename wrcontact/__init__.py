@@ -50,7 +50,7 @@ if TYPE_CHECKING:  # what is imported when it is first used
         weinstock_limit,
         wheel_lift,
     )
-    from .sections import RailSections
+    from .sections import RailSections, WheelSections
     from .sweeps.interpolation import interpolate
     from .sweeps.run import sweep
     from .wear import ArchardMap, BritishRail, Usfd, Wear, WearRun, Zobory, fatigue, wear_run
@@ -76,6 +76,7 @@ _ELSEWHERE = {
     "interpolate": ".sweeps.interpolation",
     "kalker_coefficients": ".creep.linear",
     "RailSections": ".sections",
+    "WheelSections": ".sections",
     "sweep": ".sweeps.run",
     **dict.fromkeys(
         ("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"), ".wear"
@@ -96,6 +97,7 @@ __all__ = [
     "ProfileFile",
     "ProfileWarning",
     "RailSections",
+    "WheelSections",
     "Status",
     "Stepper",
     "Track",

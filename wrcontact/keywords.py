@@ -22,10 +22,11 @@ from .methods import (
     TangentialModel,
 )
 from .profiles import Profile, ProfileFile
-from .sections import RailSections
+from .sections import RailSections, WheelSections
 
 OneProfile = str | PathLike[str] | ProfileFile | Profile
 OneRail = OneProfile | RailSections
+OneWheel = OneProfile | WheelSections
 Depth = Literal["all", "patches", "geometry"]
 Wanted = Depth | str | Iterable[str]
 Sides = Literal["both", "left", "right"]
@@ -131,7 +132,9 @@ class SystemKeywords(TypedDict, total=False):
     """Lateral distance of the origin of changing sections from the track's centre, to the field side; 0: by the gauge of the section at position 0, whose highest place then has the height 0; -2 ... 2 m; by default 0."""
     rail_origin_z: float | tuple[float, float]
     """How far the origin of changing sections lies below the running surface; beside rail_origin_y only; -1 ... 1 m; by default 0."""
-    left_wheel: OneProfile | None
+    roller_radius: float | tuple[float, float]
+    """Radius of the roller in the place of a rail, at the highest place of its section; 0: a rail; 0 ... 1000 m; by default 0."""
+    left_wheel: OneWheel | None
     """On the left side, wheel; by default that of the right."""
     left_rail: OneRail | None
     """On the left side, rail; by default that of the right."""
@@ -155,6 +158,8 @@ class SystemKeywords(TypedDict, total=False):
     """On the left side, rail_origin_y; by default that of the right."""
     left_rail_origin_z: float | None
     """On the left side, rail_origin_z; by default that of the right."""
+    left_roller_radius: float | None
+    """On the left side, roller_radius; by default that of the right."""
 
 
 class WheelKeywords(TypedDict, total=False):
@@ -331,6 +336,8 @@ class PoseInputs(TypedDict, total=False):
     """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
     track_position: float
     """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
+    wheel_rotation: float
+    """Turn of the wheelset about its axle, growing when it rolls forward; only read where a wheel is not round [rad]; by default 0."""
 
 
 class TableInputs(TypedDict, total=False):
@@ -416,6 +423,8 @@ class TableInputs(TypedDict, total=False):
     """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
     track_position: ArrayLike
     """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
+    wheel_rotation: ArrayLike
+    """Turn of the wheelset about its axle, growing when it rolls forward; only read where a wheel is not round [rad]; by default 0."""
 
 
 class WheelInputs(TypedDict, total=False):
@@ -469,3 +478,5 @@ class WheelInputs(TypedDict, total=False):
     """Torque of motor or brake on the wheelset about its axle, positive where it drives forward; read where wheel_rate is 0 with free_rolling [N.m]; by default 0."""
     track_position: float
     """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
+    wheel_rotation: float
+    """Turn of the wheelset about its axle, growing when it rolls forward; only read where a wheel is not round [rad]; by default 0."""

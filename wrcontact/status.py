@@ -251,7 +251,7 @@ CHANGING = tuple(
         f"<{name}> is [{name}]; permitted with a rail that changes along the track is 0",
     )
     for name in INPUT_NAMES
-    if name.endswith(("speed", "velocity", "rate", "rail_roll"))
+    if name.endswith(("rail_roll", "rail_roll_velocity"))
 )
 
 #: Sentences on calls that are refused, of the FMU that runs in Python and of native ones; ``%s`` is a name or a value.

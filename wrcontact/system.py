@@ -67,10 +67,10 @@ from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .keywords import Depth, OneProfile, OneRail, PoseInputs, Sides, SystemKeywords, TableInputs, Wanted
+    from .keywords import Depth, OneRail, OneWheel, PoseInputs, Sides, SystemKeywords, TableInputs, Wanted
     from .linear.record import Linearization
     from .profiles import Profile
-    from .sections import RailSections
+    from .sections import RailSections, WheelSections
     from .sections.placing import PlacedSections
 
 #: By number; making one from its number takes ten times as long.
@@ -95,7 +95,8 @@ class ContactSystem:
         :class:`~wrcontact.ProfileFile` (a path with what the file does not say), or
         :class:`~wrcontact.Profile`.  These two, ``nominal_radius`` and ``rail_inclination`` may also be
         pairs (left, right), which is short for the keywords that begin with ``left_``.  A ``rail`` may also be
-        :class:`~wrcontact.RailSections`, or the path of a file of sections, .slcs or .toml (docs/guides/sections.md).
+        :class:`~wrcontact.RailSections`, or the path of a file of sections, .slcs or .toml (docs/guides/sections.md); a
+        ``wheel`` :class:`~wrcontact.WheelSections` (docs/guides/wheels.md).
     track, wheelset, material, friction : records of the keywords that follow, or None.
     {parameters}
 
@@ -114,14 +115,14 @@ class ContactSystem:
     parameters: dict[str, Any]
     methods: dict[str, Any]
     resolution: Any
-    wheel: Profile
+    wheel: Profile | WheelSections
     rail: Profile | RailSections
-    left_wheel: Profile
+    left_wheel: Profile | WheelSections
     left_rail: Profile | RailSections
 
     def __init__(
         self,
-        wheel: OneProfile | tuple[OneProfile, OneProfile] = "S1002",
+        wheel: OneWheel | tuple[OneWheel, OneWheel] = "S1002",
         rail: OneRail | tuple[OneRail, OneRail] = "UIC60",
         *,
         track: Track | None = None,
@@ -153,7 +154,7 @@ class ContactSystem:
         self.resolution = methods["normal_model"].resolution
         self.wheel, self.rail, self.left_wheel, self.left_rail = profiles
         self._placed = None  # the left and the right rail, if one of them changes along the track
-        if is_sections(self.rail) or is_sections(self.left_rail):
+        if has_changing(parameters):
             from .sections.placing import prepare_changing  # not part of an FMU
 
             self._tables, self._placed = prepare_changing(profiles, parameters, methods)
@@ -168,6 +169,8 @@ class ContactSystem:
     def equal_sides(self) -> bool:
         """Whether the left side is the mirror image of the right one."""
         if self._placed and self._placed[0] is not self._placed[1]:
+            return False
+        if self.wheel is not self.left_wheel and (is_sections(self.wheel) or is_sections(self.left_wheel)):
             return False
         return equal_sides(layout.Tables.at(self._tables))
 

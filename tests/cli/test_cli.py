@@ -536,6 +536,7 @@ def test_entry_point():
         pytest.param("one_pose", 40, marks=pytest.mark.full),
         pytest.param("lateral_sweep", 40, marks=pytest.mark.full),
         pytest.param("dipped_weld", 60, marks=pytest.mark.full),
+        pytest.param("wheel_flat", 60, marks=pytest.mark.full),
         pytest.param("compare_models", 40, marks=pytest.mark.full),
         pytest.param("step_the_fmu", 40, marks=pytest.mark.full),
         # compiles a native FMU; tests/fmu/native/test_irregular_track.py runs it with one that is compiled

@@ -51,14 +51,17 @@ def origin(parameters):
     return {"rail_origin_y": CROWN, **parameters}
 
 
-def gaps(rail, wheel, pose, y, angle):
+def gaps(rail, wheel, pose, y, angle, deviation=None):
     """The gap [m] of a right wheel at abscissae ``y`` and angles ``angle``, arrays of one shape, over ``rail``: a function of
     track positions and track coordinates that returns heights [m].
 
-    ``pose`` is (track position, lateral shift, yaw, roll, vertical shift).
+    ``pose`` is (track position, lateral shift, yaw, roll, vertical shift); ``deviation``, a function of angles and radii [m], is
+    how much larger those of a wheel are that is not round.
     """
     position, shift, yaw, roll, sunk = pose
     r = RADIUS + wheel.height(y)
+    if deviation is not None:
+        r = r + deviation(angle, r)
     c, s = np.cos(yaw), np.sin(yaw)
     turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]) @ np.array(
         [[1.0, 0.0, 0.0], [0.0, np.cos(roll), -np.sin(roll)], [0.0, np.sin(roll), np.cos(roll)]]
@@ -68,13 +71,13 @@ def gaps(rail, wheel, pose, y, angle):
     return np.where(np.isnan(gap), np.inf, gap)
 
 
-def smallest_gap(rail, wheel, pose):
+def smallest_gap(rail, wheel, pose, deviation=None):
     """The smallest of them by grids of abscissa and angle, each finer than the one before: gap [m], abscissa, angle."""
     y_ends = wheel.start + INSIDE, wheel.stop - INSIDE
     (y_low, y_high), (low, high), counts = y_ends, (-REACH, REACH), (700, 201)
     for _ in range(5):
         y, angle = np.linspace(y_low, y_high, counts[0]), np.linspace(low, high, counts[1])
-        gap = gaps(rail, wheel, pose, *(part.ravel() for part in np.meshgrid(y, angle)))
+        gap = gaps(rail, wheel, pose, *(part.ravel() for part in np.meshgrid(y, angle)), deviation)
         k = int(np.argmin(gap))
         at_y, at_angle = y[k % len(y)], angle[k // len(y)]
         near, turn = 3.0 * (y[1] - y[0]), 3.0 * (angle[1] - angle[0])

@@ -398,6 +398,19 @@ def test_sections_are_drawn_with_their_heights():
     assert above.get_xlabel() == "position along the track [m]"
 
 
+def test_a_wheelset_with_wheels_that_are_not_round_is_drawn():
+    """An eccentric wheel on both sides: the height is a cosine of the rotation."""
+    wheel = wrcontact.WheelSections.eccentric("S1002", 2e-4)
+    system, turn = ContactSystem(wheel=wheel), np.linspace(-np.pi, np.pi, 9)
+    figure = plots.around_wheel_figure(system, turn, outputs="patches")
+    angle, height = figure.axes[0].lines[0].get_data()
+    assert angle == pytest.approx(np.degrees(turn))
+    assert height - height.mean() == pytest.approx(0.2 * (np.cos(turn) - np.cos(turn).mean()), abs=1e-5)
+    assert figure.axes[4].get_xlabel() == "rotation of the wheelset about its axle [deg]"
+    with pytest.raises(ValueError, match="which are round; permitted is one with WheelSections"):
+        plots.around_wheel_figure(ContactSystem())
+
+
 def test_a_wheelset_along_a_changing_rail_is_drawn():
     """A ramp of 1:50 on both sides: it rises, and is pushed back."""
     u = np.linspace(-0.4, 0.4, 5)

@@ -235,6 +235,16 @@ TRACK_POSITION = Input(
     POSITION_LIMIT,
 )
 
+#: Read where a wheel is not round.
+WHEEL_ROTATION = Input(
+    "wheel_rotation",
+    "rad",
+    1.0,
+    "Turn of the wheelset about its axle, growing when it rolls forward; only read where a wheel is not round",
+    -POSITION_LIMIT,
+    POSITION_LIMIT,
+)
+
 #: Usual loads of a wheel that is not lifted [N]: those of a hand trolley, and of an axle of 200 t. One in kN
 #: that is taken for N lies below, and one in N that is taken for kN above.
 USUAL_LOAD = (500.0, 1e6)
@@ -315,6 +325,7 @@ INPUTS = (
     *DEFLECTIONS,
     *TORQUES,
     TRACK_POSITION,
+    WHEEL_ROTATION,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)

@@ -3,6 +3,8 @@
 from ..methods.numbers import Number
 from .inputs import POSITION_LIMIT
 
+#: The one of a rail that is the same all along the track, which then stands for a roller.
+ROLLER = "roller_radius"
 #: Their rows by name; the kernel finds them in its tables of sections, not among its parameters.
 SECTION_PLACES = {
     "rail_position": Number(
@@ -40,6 +42,15 @@ SECTION_PLACES = {
         "m",
         "How far the origin of changing sections lies below the running surface; beside rail_origin_y only",
         nominal=1e-3,
+        python_only=True,
+    ),
+    ROLLER: Number(
+        0.0,
+        0.0,
+        1000.0,
+        "m",
+        "Radius of the roller in the place of a rail, at the highest place of its section; 0: a rail",
+        nominal=1.0,
         python_only=True,
     ),
 }

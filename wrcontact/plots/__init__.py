@@ -15,7 +15,7 @@ one ``axis`` of matplotlib, by default in a new figure, and return it:
 
 from ..conditioning.curves import find_jumps
 from ..results.runs import read_run
-from .along import along_track_figure
+from .along import along_track_figure, around_wheel_figure
 from .animation import animate
 from .check import check_figure
 from .creepage import creep_curves
@@ -38,6 +38,7 @@ from .wear import fatigue_figure, shakedown_figure, wear_depth_figure, wear_figu
 __all__ = [
     "PatchTractions",
     "along_track_figure",
+    "around_wheel_figure",
     "animate",
     "check_figure",
     "contact_angle",

@@ -1,4 +1,5 @@
-"""A wheelset on rails whose section changes, along the track: height, places of contact, loads and pressures."""
+"""A wheelset on rails whose section changes, along the track, or on wheels that are not round, over their rotation: height,
+places of contact, loads and pressures."""
 
 import numpy as np
 
@@ -8,6 +9,8 @@ from .style import KILONEWTON, MEGAPASCAL, MM, QUIET, SIDE_COLOUR, new_figure, s
 SIZE = 7.2, 8.2  # [in]
 #: Positions of the wheelset by default.
 POSITIONS = 241
+#: And its rotations.
+TURNS = 721
 
 
 @styled
@@ -28,13 +31,47 @@ def along_track_figure(system, track_position=None, **inputs):
     -------
     figure
     """
-    if not system.changing:
+    if not (is_sections(system.rail) or is_sections(system.left_rail)):
         raise ValueError(
             f"system has the rails {system.left_rail.name!r} and {system.rail.name!r}, which are the same all along the track; "
             "permitted is one with RailSections"
         )
     u = slices_of(system) if track_position is None else np.asarray(track_position, dtype=float)
     table = system.evaluate_many(track_position=u, **inputs)
+    return _drawn(system, table, u, "position of the wheelset along the track [m]")
+
+
+@styled
+def around_wheel_figure(system, wheel_rotation=None, **inputs):
+    """How a wheelset whose wheels are not round stands and is loaded as it turns, one pose after the other: the panels of
+    :func:`along_track_figure` over the rotation in degrees.
+
+    Parameters
+    ----------
+    system : a :class:`~wrcontact.ContactSystem` of which a wheel is :class:`~wrcontact.WheelSections`.
+    wheel_rotation : rising (n,) [rad]; None is one turn.
+    inputs : others of ``evaluate``, numbers or arrays (n,).
+
+    Returns
+    -------
+    figure
+    """
+    if not (is_sections(system.wheel) or is_sections(system.left_wheel)):
+        raise ValueError(
+            f"system has the wheels {system.left_wheel.name!r} and {system.wheel.name!r}, which are round; permitted is one with "
+            "WheelSections"
+        )
+    turn = (
+        np.linspace(-np.pi, np.pi, TURNS)
+        if wheel_rotation is None
+        else np.asarray(wheel_rotation, dtype=float)
+    )
+    table = system.evaluate_many(wheel_rotation=turn, **inputs)
+    return _drawn(system, table, np.degrees(turn), "rotation of the wheelset about its axle [deg]")
+
+
+def _drawn(system, table, u, words_below):
+    """The figure of a ``table`` of poses over ``u`` (n,)."""
     figure = new_figure(*SIZE)
     panels = figure.subplots(5, 1, sharex=True)
     for axis, name in zip(panels, ("height", "contacts", "loads", "forces", "pressures")):
@@ -64,7 +101,7 @@ def along_track_figure(system, track_position=None, **inputs):
     panels[3].axhline(0.0, color=QUIET, linewidth=0.6)
     panels[1].legend(loc="best", fontsize=7)
     panels[2].legend(loc="best", fontsize=7)
-    panels[4].set_xlabel("position of the wheelset along the track [m]")
+    panels[4].set_xlabel(words_below)
     figure.suptitle(system.title, fontsize=10)
     return figure
 

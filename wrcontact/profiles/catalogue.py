@@ -8,7 +8,7 @@ from functools import cache
 
 from ..interface.parameters import on_the_left
 from ..methods.words import did_you_mean
-from .changing import is_sections, named
+from .changing import is_sections, named, where_it_changes
 from .files import of_kind, read_profile, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
@@ -62,8 +62,7 @@ def find_profile(source, kind, smoothing=None, argument=None, track=None):
         return of_kind(source, kind)
     if is_sections(source):
         raise ValueError(
-            f"{argument or kind} is {named(source)}, which changes along the track; permitted are profiles that are the "
-            "same all along it"
+            f"{argument or kind} is {named(source)}, which changes {where_it_changes(source)}; permitted are profiles that do not"
         )
     if isinstance(source, ProfileFile) and os.path.isfile(source.path):
         return read_profile(source, kind, smoothing, Profile, track)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import on_the_left
-from .changing import is_sections
+from .changing import is_sections, round_wheel
 from .remarks import Grave, remark
 
 #: Gauges of main lines [mm]; a track has the largest of them that it reaches but for NARROW, and is up to
@@ -43,7 +43,7 @@ LARGER, ASIDE = 1.0, 1.0
 def remark_profiles(system):
     """Give a :class:`~wrcontact.ProfileWarning` on each profile of a :class:`~wrcontact.ContactSystem` that is a
     wheel with an implausible origin, or is rough."""
-    for wheel in dict.fromkeys((system.wheel, system.left_wheel)):
+    for wheel in dict.fromkeys(map(round_wheel, (system.wheel, system.left_wheel))):
         found = (*remarks_on(wheel, system.parameters), *_on_roughness(wheel), *_on_circles(wheel, system))
         remark("wheel", wheel.name, found)
     for rail, inclination in dict.fromkeys(_placed(system)):

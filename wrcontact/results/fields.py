@@ -214,6 +214,11 @@ class InputFields(np.ndarray):
         """Place of the wheelset's centre along the track; only read where a rail's section changes [m]."""
         return self["track_position"]
 
+    @property
+    def wheel_rotation(self) -> Any:
+        """Turn of the wheelset about its axle, growing when it rolls forward; only read where a wheel is not round [rad]."""
+        return self["wheel_rotation"]
+
 
 class Creepage(View[N]):
     """Velocity of the wheel against the rail in the plane of a patch, over the rolling speed."""

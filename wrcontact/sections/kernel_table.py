@@ -19,6 +19,8 @@ from .surface import BEFORE, BEHIND, HEIGHT, PLACE, SLOPE
 ALONG, MOST_ALONG = 5e-3, 16
 #: Cells across the track [m], and how far they go beyond the ends of sections.
 ACROSS, MARGIN = 5e-4, 5e-3
+#: Cells across a wheel [m].
+WHEEL_ACROSS = 1e-2
 #: Samples along a cell, and where they are across between two lines of the surface.
 SAMPLES_ALONG, SHARES = 7, np.linspace(0.0, 1.0, 5)
 #: Shares of their ranges by which bounds are widened, and the least of it: of slopes [-], second derivatives [1/m], and the
@@ -42,14 +44,30 @@ HEAD, KNOT, CELL = (
 def with_sections(tables, index, surface, lateral):
     """The kernel's ``tables`` (n,) with a changing rail on side ``index``, 0 left and 1 right: its ``surface``, whose
     origin has the track coordinate ``lateral`` [m] as that of a right side."""
-    table = _TABLES.get(surface)
-    if table is None:
-        table = _TABLES[surface] = section_table(surface)
-    joined = np.concatenate([tables, table])
+    joined = np.concatenate([tables, _kept(surface)])
     pair = layout.Tables.at(joined).pairs[index]
     pair.sections = len(tables) - layout.offset(pair, joined)
     pair.changing = True
     pair.rail_y = lateral
+    return joined
+
+
+def _kept(surface, across=ACROSS):
+    """The table of ``surface``, which is made once."""
+    table = _TABLES.get(surface)
+    if table is None:
+        table = _TABLES[surface] = section_table(surface, across)
+    return table
+
+
+def with_deviation(tables, index, surface):
+    """The kernel's ``tables`` (n,) with a wheel on side ``index`` that deviates from a round one by ``surface``, over angles and
+    abscissae."""
+    table = _kept(surface, WHEEL_ACROSS)
+    joined = np.concatenate([tables, table])
+    pair = layout.Tables.at(joined).pairs[index]
+    pair.deviation = len(tables) - layout.offset(pair, joined)
+    pair.out_of_round = True
     return joined
 
 
@@ -93,9 +111,9 @@ def with_room(tables, index, lateral):
     return joined
 
 
-def section_table(surface):
-    """The table (n,) of a :class:`~wrcontact.sections.surface.Surface`."""
-    along, start, cells, top = bounds_of(surface)
+def section_table(surface, across=ACROSS):
+    """The table (n,) of a :class:`~wrcontact.sections.surface.Surface`, with cells ``across`` wide [m]."""
+    along, start, cells, top = bounds_of(surface, across)
     levels = np.stack(leveled(cells))
     intervals, _, knots, _ = surface.cubics.shape
     order = [PLACE, HEIGHT, SLOPE, BEFORE, BEHIND]
@@ -108,13 +126,13 @@ def section_table(surface):
     head.interval_count, head.knot_count = intervals, knots
     head.breaks, head.knots, head.along, head.cells, head.arcs = (int(place) for place in places[:5])
     head.along_count, head.across_count = len(along) - 1, cells.shape[1]
-    head.across_start, head.across_stop = start, start + cells.shape[1] * ACROSS
-    head.across_per_metre = 1.0 / ACROSS
+    head.across_start, head.across_stop = start, start + cells.shape[1] * across
+    head.across_per_metre = 1.0 / across
     head.top, head.least_lean, head.most_lean = top, cells[..., 10].min(), cells[..., 11].max()
     return table
 
 
-def bounds_of(surface):
+def bounds_of(surface, across=ACROSS):
     """Breaks of cells along the track (a + 1,) and where those across begin [m], the cells (a, b, CELL), and the height of
     the highest place [m]."""
     lengths = np.diff(surface.breaks)
@@ -131,17 +149,17 @@ def bounds_of(surface):
     u = along[:-1, None] + np.diff(along)[:, None] * np.linspace(0.0, 1.0, SAMPLES_ALONG)
     first, last = surface.edges(u)
     start = first.min() - MARGIN
-    count = int(np.ceil((last.max() + MARGIN - start) / ACROSS))
+    count = int(np.ceil((last.max() + MARGIN - start) / across))
     cells, top = np.empty((len(u), count, CELL)), np.inf
     for k, row in enumerate(u):
-        least, most, highest = _sampled(surface, row, start, count)
+        least, most, highest = _sampled(surface, row, start, count, across)
         wider = WIDENED * (most - least) + LEAST
         cells[k, :, 0::2], cells[k, :, 1::2] = least - wider, most + wider
         top = min(top, highest)
     return along, start, cells, float(top) - HIGHER
 
 
-def _sampled(surface, u, start, count):
+def _sampled(surface, u, start, count, across):
     """Least and most of what is bounded (count, CELL / 2) in a row of cells, from samples at positions ``u`` (n,), and the
     smallest height there.
 
@@ -150,12 +168,12 @@ def _sampled(surface, u, start, count):
     least, most = np.full((count, CELL // 2), np.inf), np.full((count, CELL // 2), -np.inf)
     highest, cells = np.inf, np.arange(count)
     for one in u:
-        y, jet = surface.samples(one, start, start + count * ACROSS, SHARES, ACROSS)
+        y, jet = surface.samples(one, start, start + count * across, SHARES, across)
         z, z_u, z_y = jet[:3]
         values = np.stack([z_u, z_y, *jet[3:6], -z_u / np.sqrt(1.0 + z_u**2 + z_y**2)], axis=-1)
         drift = np.abs(jet[6]).max() * (u[1] - u[0])
-        from_cell = np.floor((np.r_[y[0], y[:-1]] - drift - start) / ACROSS)
-        to_cell = np.floor((np.r_[y[1:], y[-1]] + drift - start) / ACROSS)
+        from_cell = np.floor((np.r_[y[0], y[:-1]] - drift - start) / across)
+        to_cell = np.floor((np.r_[y[1:], y[-1]] + drift - start) / across)
         ends = np.column_stack(
             [np.searchsorted(to_cell, cells), np.searchsorted(from_cell, cells, side="right")]
         ).ravel()

@@ -6,103 +6,117 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..interface.parameters import LEFT, PARAMETERS, RAIL_SPRINGS, on_the_left
-from ..interface.section_places import SECTION_PLACES
+from ..interface.section_places import ROLLER, SECTION_PLACES
+from ..kernel import layout
 from ..kernel.binding.setup import prepare_sides
 from ..methods.own import functions_in
 from ..profiles.catalogue import find_profiles, standard_profile
-from ..profiles.changing import is_sections, shown
+from ..profiles.changing import is_sections, round_wheel, shown
 from ..profiles.options import ProfileFile
 from ..profiles.placement import place_rail
-from .kernel_table import with_changing_rails
+from .kernel_table import with_changing_rails, with_deviation
 from .rail import RailSections
+from .roller import roller_surface
 from .surface import Surface
+from .wheel import WheelSections
 
 #: What may be chosen beside a rail that changes.
 PERMITTED = {
     "contact_mode": ("rigid", "compliant"),
     "normal_model": ("hertz", "analyn", "analyn_strip", "auto"),
-    "tangential_model": ("none",),
+    "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
     "longitudinal_curvature": ("effective",),
     "lateral_curvature": ("adaptive",),
 }
 #: What has to be zero, or False.
 WITHOUT = (
-    "contact_damping",
     *(side + name for side in ("", LEFT) for name in RAIL_SPRINGS),
     "wear_outputs",
     "fatigue_outputs",
     "independent_wheels",
 )
-#: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result.
-CARRIER, CARRIED = "UIC60", {"rail_inclination": 0.0, "left_rail_inclination": None, "gauge_depth": 0.014}
+#: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result. The wheel stands
+#: for one that is not round while profiles are found.
+CARRIER, CARRIED_WHEEL = "UIC60", "S1002"
+CARRIED = {"rail_inclination": 0.0, "left_rail_inclination": None, "gauge_depth": 0.014}
 #: What places a rail on its side.
-ALIKE = ("rail_inclination", *SECTION_PLACES)
+ALIKE = ("rail_inclination", "nominal_radius", *SECTION_PLACES)
 #: Points of a section among which its highest place is sought, and steps of Newton's method and of halving.
 POINTS, STEPS, HALVINGS = 4001, 8, 60
 
 
-def found_rail(source, argument):
-    """The :class:`RailSections` that the argument ``source`` of a system is, or None if it is a constant rail.
+def found_sections(source, argument, kind=RailSections):
+    """The sections, a ``kind`` of them, that the argument ``source`` of a system is, or None if it is a profile.
 
     Raises
     ------
     ValueError
         in one sentence, if the sections cannot be used.
     """
-    if isinstance(source, RailSections):
+    if isinstance(source, kind):
         return source
-    if not is_sections(source):
+    if not is_sections(source) or hasattr(source, "kind"):
         return None
     if isinstance(source, ProfileFile):
         raise ValueError(
             f"{argument} is a ProfileFile of {os.fspath(source.path)!r}; permitted with sections are their path, or "
-            "RailSections"
+            f"{kind.__name__}"
         )
     if not os.path.isfile(source):
         raise ValueError(
             f"{argument} is {os.fspath(source)!r}, and there is no such file; permitted is the path of a file of sections"
         )
-    return RailSections.from_file(source)
+    return kind.from_file(source)
 
 
 def found_rails(parameters):
     """Those of the right and of the left side, each a :class:`RailSections` or None, by a system's ``parameters``."""
-    right = found_rail(parameters["rail"], "rail")
+    right = found_sections(parameters["rail"], "rail")
     left = parameters["left_rail"]
-    return right, right if left is None else found_rail(left, "left_rail")
+    return right, right if left is None else found_sections(left, "left_rail")
+
+
+def found_wheels(parameters):
+    """The wheel of the right and of the left side, each :class:`WheelSections` or None, by a system's ``parameters``."""
+    right = found_sections(parameters["wheel"], "wheel", WheelSections)
+    left = parameters["left_wheel"]
+    return right, right if left is None else found_sections(left, "left_wheel", WheelSections)
 
 
 def find_all_profiles(parameters):
-    """As :func:`wrcontact.profiles.catalogue.find_profiles`, with :class:`RailSections` for rails that change."""
-    rails = found_rails(parameters)
+    """As :func:`wrcontact.profiles.catalogue.find_profiles`, with :class:`RailSections` for rails that change, and
+    :class:`WheelSections` for wheels that are not round."""
+    wheels, rails = found_wheels(parameters), found_rails(parameters)
     constant = {
-        name: CARRIER
-        for name, rail in zip(("rail", LEFT + "rail"), rails)
-        if rail is not None and parameters[name] is not None
+        side + kind: carrier
+        for kind, carrier, found in (("wheel", CARRIED_WHEEL, wheels), ("rail", CARRIER, rails))
+        for side, one in zip(("", LEFT), found)
+        if one is not None and parameters[side + kind] is not None
     }
     wheel, rail, left_wheel, left_rail = find_profiles(parameters | constant)
-    return wheel, rails[0] or rail, left_wheel, rails[1] or left_rail
+    return wheels[0] or wheel, rails[0] or rail, wheels[1] or left_wheel, rails[1] or left_rail
 
 
 def check_rails(profiles, parameters):
     """ValueError, in one sentence, where ``parameters`` of a system do not go with its rails among the ``profiles``: wheel and
     rail of the right side, wheel and rail of the left side."""
     changing = [isinstance(rail, RailSections) for rail in profiles[1::2]]
+    beside = "a rail that changes along the track"
+    if not any(changing):
+        beside = "a wheel that is not round" if any(map(is_sections, profiles[::2])) else "a roller"
     for name in functions_in(parameters):
-        raise ValueError(
-            f"{name} is a function; permitted with a rail that changes along the track is a name"
-        )
+        raise ValueError(f"{name} is a function; permitted with {beside} is a name")
     for name, permitted in PERMITTED.items():
         if parameters[name] not in permitted:
             verb = "are" if len(permitted) > 1 else "is"
             raise ValueError(
-                f"{name} is {parameters[name]!r}; permitted with a rail that changes along the track {verb} "
+                f"{name} is {parameters[name]!r}; permitted with {beside} {verb} "
                 f"{', '.join(map(repr, permitted))}"
             )
     for name in WITHOUT:
         if parameters[name]:
             raise ValueError(
-                f"{name} is {shown(name, parameters)}; permitted with a rail that changes along the track is "
+                f"{name} is {shown(name, parameters)}; permitted with {beside} is "
                 f"{PARAMETERS[name.removeprefix(LEFT)].default!r}"
             )
     for side, one in zip(("", LEFT), changing):
@@ -153,6 +167,9 @@ def place_sections(rail, parameters):
     given = {name: parameters[name] for name in ("gauge", "gauge_depth")}
     if not isinstance(rail, RailSections):
         placed = place_rail(rail, inclination=parameters["rail_inclination"], **given)
+        if parameters[ROLLER]:
+            surface = roller_surface(placed.profile, parameters[ROLLER], parameters["nominal_radius"])
+            return PlacedSections(surface, placed.y_track)
         return PlacedSections(
             RailSections([0.0, 1.0], [placed.profile] * 2, name=rail.name).surface, placed.y_track
         )
@@ -211,7 +228,15 @@ def prepare_changing(profiles, parameters, methods):
     :func:`place_rails`; ValueError, in one sentence, where something does not go with them."""
     check_rails(profiles, parameters)
     placed, rail = place_rails(profiles, parameters), standard_profile(CARRIER)
+    wheels = profiles[2], profiles[0]
+    round_left, round_right = map(round_wheel, wheels)
     tables = prepare_sides(
-        (profiles[0], rail), (profiles[2], rail), parameters=parameters | CARRIED, methods=methods
+        (round_right, rail), (round_left, rail), parameters=parameters | CARRIED, methods=methods
     )
-    return with_changing_rails(tables, [(one.surface, one.lateral) for one in placed]), placed
+    tables = with_changing_rails(tables, [(one.surface, one.lateral) for one in placed])
+    for pair, own in zip(layout.Tables.at(tables).pairs, (on_the_left(parameters), parameters)):
+        pair.roller = own[ROLLER]
+    for index, (wheel, own) in enumerate(zip(wheels, (on_the_left(parameters), parameters))):
+        if isinstance(wheel, WheelSections):
+            tables = with_deviation(tables, index, wheel.surface(own["nominal_radius"]))
+    return tables, placed

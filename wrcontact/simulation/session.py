@@ -39,7 +39,7 @@ from ..interface.variables import (
 from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
-from ..profiles.changing import is_sections
+from ..profiles.changing import is_sections, where_it_changes
 from ..system import ContactSystem
 from .fmi_state_machine import (
     INITIALISING,
@@ -182,8 +182,8 @@ class Session:
                 if arguments[profile]:
                     if is_sections(arguments[profile]):
                         raise ValueError(
-                            f"{profile}_profile is {arguments[profile]!r}, which changes along the track; permitted in an FMU are "
-                            "profiles that are the same all along it"
+                            f"{profile}_profile is {arguments[profile]!r}, which changes {where_it_changes(arguments[profile])}; "
+                            "permitted in an FMU are profiles that do not"
                         )
                     arguments[profile] = packed_profile(self.resources, profile, arguments[profile])
             for name, value in parameters.items():

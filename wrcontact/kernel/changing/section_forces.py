@@ -1,11 +1,13 @@
-"""Where the forces of rails whose section changes add up: those of pressures, which push along the track, too."""
+"""Where the forces on rails whose section changes add up: pressures push along the track, too."""
 
-from ..layout import Forces, Motion, Patch, SideSearch, Tables, Work, clear
+from ..layout import Forces, Motion, Patch, Tables, Work, clear
 from ..wheelset.forces import add_forces, press_patch
+from ..wheelset.input_checks import has_creep_forces
+from ..wheelset.leaning_wheel import force_one
 
 
 def sum_pushes(tables: Tables, work: Work):
-    """The forces of the pressures on both wheels and on the wheelset."""
+    """The forces on both wheels and on the wheelset."""
     total = work.wheelset.forces
     clear(total)
     for index in range(2):
@@ -13,17 +15,21 @@ def sum_pushes(tables: Tables, work: Work):
         side = work.sides[index]
         side.motion.centre_y = mirror * work.inputs.lateral_shift
         side.motion.centre_z = work.wheelset.vertical_shift - tables.height
-        push_side(side)
+        push_side(tables, work, index)
         add_forces(total, side.forces, mirror)
 
 
-def push_side(side: SideSearch):
-    """The forces of the pressures on a wheel."""
+def push_side(tables: Tables, work: Work, index: int):
+    """The forces on the wheel of side ``index``."""
+    side = work.sides[index]
+    with_creep = has_creep_forces(tables, work)
     clear(side.forces)
     for number in range(side.patch_count):
         patch = side.patches[number]
         press_patch(side.motion, patch)
         push_along(side.motion, patch, patch.forces)
+        if with_creep:
+            force_one(tables, work, index, number)
         add_forces(side.forces, patch.forces, 1.0)
 
 

@@ -2,11 +2,12 @@
 
 The ruling direction at the place where the wheel is nearest is t = (1, q, p), with the lateral rate q of the line of
 equal share there and p = z_u + q z_y (A1).  The frame's x is along t, its y level to the field side, its z = x times y.
-A wheel is round, so that its axle alone has another yaw and roll in it.
+The axle has another yaw and roll in it, and angles around the wheel are counted from another place.
 """
 
 from math import sqrt
 
+from ..elementary.circle import atan2
 from ..layout import Pair, Place, SectionFrame, SectionTouch
 from ..sections.section_surface import section_ruling
 from ..surface.locus import set_roll
@@ -64,6 +65,20 @@ def place_in_frame(frame: SectionFrame, at: Place, place: Place):
     place.rail_cos = 1.0
     place.reference = 0.0
     set_roll(place, sine, cosine)
+
+
+def wheel_turn(frame: SectionFrame, at: Place, place: Place):
+    """By how much the angle around a wheel that is placed at ``at`` in the track is larger than in the frame, where it is at
+    ``place`` [rad].
+
+    At a right angle in the frame the wheel points level in it, across the axle.
+    """
+    x = frame.along[0] * place.cos_yaw + frame.aside[0] * place.sin_yaw
+    y = frame.along[1] * place.cos_yaw + frame.aside[1] * place.sin_yaw
+    z = frame.along[2] * place.cos_yaw + frame.aside[2] * place.sin_yaw
+    ahead = x * at.cos_yaw + y * at.sin_yaw
+    down = (x * at.sin_yaw - y * at.cos_yaw) * at.sin_roll + z * at.cos_roll
+    return atan2(-down, ahead)
 
 
 def into_frame(frame: SectionFrame, x: float, y: float, z: float):

@@ -16,10 +16,11 @@ from ..layout import (
     Tables,
     Work,
 )
+from ..sections.section_gap import turned_back
 from ..sections.section_search import MOST_BOXES, follow_sections, probe_sections, search_sections
+from ..sections.wheel_radius import radius_jet, within_turn
 from ..surface.locus import mirror_place, place_wheelset
 from ..surface.rails import move_rail
-from ..surface.tables import height_slope
 
 #: Newton's method stops when it moves the roll by less [rad], and rolls that differ by less are one.
 ROLL_SHARP: Final[float] = 1e-14
@@ -61,6 +62,7 @@ def touch_rail(tables: Tables, work: Work, index: int):
     touch = work.touches[index]
     pair.rail_y = pair.sections.lateral
     search.position = work.inputs.track_position
+    search.rotation = within_turn(work.inputs.wheel_rotation)
     certain = search_sections(pair, touch.place, search)
     keep_touch(pair, search, touch)
     if search.box_count > MOST_BOXES:
@@ -83,13 +85,14 @@ def keep_touch(pair: Pair, search: SectionSearch, touch: SectionTouch):
     touch.along = at.along
     touch.slope = at.slope
     place = touch.place
-    z, slope = height_slope(pair.wheel, touch.y)
     sine, cosine = sine_cosine(touch.angle)
-    r = place.radius + z
+    r, r_y, r_yy, r_f, r_fy, r_ff = radius_jet(pair, place, search.rotation, touch.y, touch.angle)
     arm = place.arm + touch.y
     down = arm * place.sin_roll + r * cosine * place.cos_roll
     level = arm * place.cos_roll - r * cosine * place.sin_roll
     touch.rail_z = down - place.height + touch.best
+    ahead, aside, into = turned_back(place, at.along, at.slope)
+    touch.turn_rate = r_f * (ahead * sine + into * cosine)
     touch.rate = at.along * place.sin_yaw * down - at.slope * place.cos_yaw * down - level
 
 
@@ -105,6 +108,7 @@ def probe_both(tables: Tables, work: Work, roll: float):
     """Place both wheels at ``roll`` [rad] and note the minima that a few places lead to."""
     place_touches(tables, work.inputs, work, roll)
     work.section_search.position = work.inputs.track_position
+    work.section_search.rotation = within_turn(work.inputs.wheel_rotation)
     for index in range(2):
         pair = tables.pairs[index]
         pair.rail_y = pair.sections.lateral

@@ -10,10 +10,16 @@ from ..layout import (
     LOAD_VERTICAL,
     NOT_CONVERGED,
     OFF_PROFILE,
+    ROLLING_STRIP_LIMIT,
+    TANGENTIAL_NONE,
     UNLOADED,
     VALID,
+    Leaning,
+    LeaningPatch,
     Pair,
     Patch,
+    Place,
+    SectionFrame,
     Sections,
     SectionTouch,
     SideSearch,
@@ -23,14 +29,18 @@ from ..layout import (
 from ..search.roll import follow_side
 from ..search.smallest_gap import search_side
 from ..sections.section_surface import section_jet
+from ..sections.wheel_radius import within_turn
 from ..surface.locus import outline_point, outline_x
 from ..surface.tables import height_slope
-from ..wheelset.prescribed_height import GRAZING
+from ..wheelset.input_checks import has_wear
+from ..wheelset.leaning_wheel import leaning_place
+from ..wheelset.prescribed_height import GRAZING, is_damped
 from ..wheelset.side import load_side, lower_wheel, solve_side, touch_side
 from ..wheelset.residuals import DEEPEST
+from .section_damping import damp_leaning_patches
 from .one_valley import has_one_valley
 from .rail_at_pose import write_rail_at_pose
-from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track
+from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track, wheel_turn
 from .valley import follow_valley
 
 #: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
@@ -49,7 +59,11 @@ def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float) 
     touch = work.touches[index]
     side = work.sides[index]
     open_section_frame(pair, touch, work.inputs.track_position, height)
-    place_in_frame(pair.sections.frame, touch.place, side.place)
+    frame = pair.sections.frame
+    place_in_frame(frame, touch.place, side.place)
+    frame.turn = 0.0
+    if pair.out_of_round:
+        frame.turn = within_turn(work.inputs.wheel_rotation) + wheel_turn(frame, touch.place, side.place)
     if not follow_valley(pair, side.place, touch, work.inputs.track_position, far):
         return False
     return write_rail_at_pose(tables, pair)
@@ -100,6 +114,8 @@ def load_pressed(tables: Tables, work: Work, index: int, height: float):
         status, covered = load_pressed_within(tables, work, index, height, ALL)
     if not covered:
         return NOT_CONVERGED
+    if status == VALID and is_damped(tables):
+        damp_leaning_patches(tables, work, index)
     return status
 
 
@@ -135,7 +151,10 @@ def finish_side(tables: Tables, work: Work, index: int, status: int, height: flo
         return status, True
     turn_point(pair, work, index, height)
     for number in range(side.patch_count):
-        turn_patch(pair, work.touches[index], side.patches[number])
+        leaning = work.leaning[leaning_place(index, number)]
+        if has_strips(tables):
+            lean_strips(pair, work.touches[index], side, number, leaning)
+        turn_patch(pair, work.touches[index], side, number, leaning)
     pair.rail_y = pair.sections.lateral
     search = work.section_search
     if not has_one_valley(pair, work.touches[index], search, depth + BEYOND_OVERLAP):
@@ -143,13 +162,17 @@ def finish_side(tables: Tables, work: Work, index: int, status: int, height: flo
     return status, covers(pair.sections, search.low, search.high, depth)
 
 
+def has_strips(tables: Tables) -> bool:
+    """Whether patches are cut into strips along the rolling direction."""
+    return tables.tangential != TANGENTIAL_NONE or has_wear(tables)
+
+
 def covers(sections: Sections, low: float, high: float, depth: float) -> bool:
     """Whether the rail that is laid reaches from the wheel abscissa ``low`` to ``high`` [m] and far beyond the overlap of a
     wheel that is lowered by ``depth`` [m], or to its own ends."""
-    first = sections.nodes[sections.first]
-    last = sections.nodes[sections.last]
-    short = sections.cut_first and (first.wheel > low or first.gap < BEYOND_DEPTH * depth)
-    return not short and not (sections.cut_last and (last.wheel < high or last.gap < BEYOND_DEPTH * depth))
+    near = sections.far < BEYOND_DEPTH * depth
+    short = sections.cut_first and (near or sections.nodes[sections.first].wheel > low)
+    return not short and not (sections.cut_last and (near or sections.nodes[sections.last].wheel < high))
 
 
 def valley_at(sections: Sections, y: float):
@@ -199,6 +222,11 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
         y_frame,
         z_frame,
     )
+    if pair.out_of_round:
+        d, rate = deviation_at(pair, side.place, point.x_track + move, point.y_track, point.z_track)
+        point.rolling_radius += d
+        wheel_x += sections.frame.along[0] * move
+        wheel_y += sections.frame.along[1] * move
     point.x_wheel = wheel_x * place.cos_yaw + (wheel_y - place.shift) * place.sin_yaw
     r = point.rolling_radius
     point.z_wheel = sqrt(max(r * r - point.x_wheel * point.x_wheel, 0.0)) - place.radius
@@ -208,17 +236,103 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
     point.contact_angle = -atan(z_y)
 
 
-def turn_patch(pair: Pair, touch: SectionTouch, patch: Patch):
+def lean(pair: Pair, touch: SectionTouch, at: Leaning, x: float, y: float, z: float):
+    """Note the place ``x``, ``y``, ``z`` of the constant rail, x from the wheelset's centre, as that of a contact in the track;
+    how far it moves along the frame from the wheel's outline [m], and the slope of both surfaces along the frame there [-]."""
+    frame = pair.sections.frame
+    move, rise = valley_at(pair.sections, y)
+    at.x, at.y, at.z = point_in_track(frame, frame.centre[0] + x + move, y, z)
+    at.y += touch.place.rail_lateral
+    at.z += touch.place.rail_vertical
+    return move, rise
+
+
+def lean_plane(frame: SectionFrame, at: Leaning, x: float, y: float, z: float):
+    """Note the plane of a contact whose normal from the rail to the wheel has this direction in the frame [any unit]."""
+    size = sqrt(x * x + y * y + z * z)
+    x /= size
+    y /= size
+    z /= size
+    level = sqrt(1.0 - x * x)
+    at.down[0], at.down[1], at.down[2] = into_track(frame, -x, -y, -z)
+    at.ahead[0], at.ahead[1], at.ahead[2] = into_track(frame, level, -x * y / level, -x * z / level)
+    at.aside[0], at.aside[1], at.aside[2] = into_track(frame, 0.0, -z / level, y / level)
+
+
+def radius_change(touch: SectionTouch, frame: SectionFrame, at: Leaning, move: float):
+    """How much larger the rolling radius is at a place that lies ``move`` [m] ahead of the outline [m]: the wheel's abscissa
+    is another one there where the axle does not lie across the frame."""
+    place = touch.place
+    axle_x = -place.sin_yaw * place.cos_roll
+    axle_y = place.cos_yaw * place.cos_roll
+    axle_z = place.sin_roll
+    moved = move * (frame.along[0] * axle_x + frame.along[1] * axle_y + frame.along[2] * axle_z)
+    sine = at.down[0] * axle_x + at.down[1] * axle_y + at.down[2] * axle_z
+    return -moved * sine / sqrt(1.0 - sine * sine)
+
+
+def deviation_at(pair: Pair, place: Place, x: float, y: float, z: float):
+    """How much larger than that of the round wheel the radius is [m] at a place of the frame, x from the wheelset's centre, and
+    how fast it grows around the wheel there [m]."""
+    frame = pair.sections.frame
+    y -= frame.centre[1]
+    z -= frame.centre[2]
+    ahead = place.cos_yaw * x + place.sin_yaw * y
+    level = place.cos_yaw * y - place.sin_yaw * x
+    d, d_f, d_y, d_ff, d_fy, d_yy = section_jet(
+        pair.deviation,
+        frame.turn + atan2(ahead, place.cos_roll * z - place.sin_roll * level),
+        place.cos_roll * level + place.sin_roll * z - place.arm,
+    )
+    return d, d_f
+
+
+def into_rail(place: Place, at: Leaning):
+    """The part along a contact's normal of the direction from the axle to it: nearly 1, less what the axle has of the normal."""
+    axle = (
+        -place.sin_yaw * place.cos_roll * at.down[0]
+        + place.cos_yaw * place.cos_roll * at.down[1]
+        + place.sin_roll * at.down[2]
+    )
+    return sqrt(max(1.0 - axle * axle, 0.0))
+
+
+def lean_strips(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, leaning: LeaningPatch):
+    """Places, planes and rolling radii of the strips of a patch that is not turned yet."""
+    patch = side.patches[number]
+    frame = pair.sections.frame
+    for k in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[k]
+        at = leaning.strips[k]
+        move, rise = lean(pair, touch, at, patch.x_track + strip.x, strip.y_track, strip.z_track)
+        lean_plane(frame, at, rise * strip.cos, strip.sin, -strip.cos)
+        strip.rolling_radius += radius_change(touch, frame, at, move)
+        if pair.out_of_round:
+            d, rate = deviation_at(
+                pair, side.place, patch.x_track + strip.x + move, strip.y_track, strip.z_track
+            )
+            strip.rolling_radius += d
+
+
+def turn_patch(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, leaning: LeaningPatch):
     """Force, moment and place of a patch in the track."""
-    sections = pair.sections
-    frame = sections.frame
+    patch = side.patches[number]
+    frame = pair.sections.frame
+    at = leaning.own
     # the force acts at the nearest place along the rail, along the normal there, which leans as both surfaces do
-    move, rise = valley_at(sections, patch.y_track)
+    move, rise = lean(pair, touch, at, patch.x_track, patch.y_track, patch.z_track)
     along = -rise * patch.normal_z
     square = patch.normal_y * patch.normal_y + patch.normal_z * patch.normal_z
     share = 1.0
     if square > 0.0:
         share = 1.0 / sqrt(1.0 + along * along / square)
+        lean_plane(frame, at, along, patch.normal_y, patch.normal_z)
+        patch.rolling_radius += radius_change(touch, frame, at, move)
+        at.swelling = 0.0
+        if pair.out_of_round:
+            d, rate = deviation_at(pair, side.place, patch.x_track + move, patch.y_track, patch.z_track)
+            patch.rolling_radius += d
+            at.swelling = rate * into_rail(touch.place, at)
     x, y, z = into_track(frame, share * along, share * patch.normal_y, share * patch.normal_z)
     moment_x, moment_y, moment_z = into_track(
         frame,
@@ -235,11 +349,9 @@ def turn_patch(pair: Pair, touch: SectionTouch, patch: Patch):
     patch.normal_moment[0] = moment_x + at_y * z - at_z * y
     patch.normal_moment[1] = moment_y + at_z * x - at_x * z
     patch.normal_moment[2] = moment_z + at_x * y - at_y * x
-    patch.x_track, patch.y_track, patch.z_track = point_in_track(
-        frame, frame.centre[0] + patch.x_track + move, patch.y_track, patch.z_track
-    )
-    patch.y_track += touch.place.rail_lateral
-    patch.z_track += touch.place.rail_vertical
+    patch.x_track = at.x
+    patch.y_track = at.y
+    patch.z_track = at.z
     turn_angle(patch)
 
 

@@ -1,42 +1,52 @@
 """One step of a wheelset on rails whose section changes along the track.
 
 The recipe: check the inputs; search the smallest gaps of both wheels, and for a rigid wheelset the roll at which they are
-equal; lay the constant rail that each of them is at this pose, and solve the contact with it; add up all forces.  The report
-writes the outputs.
+equal; lay the constant rail that each of them is at this pose, and solve the contact with it; if the wheelset rolls, creepages and creep forces follow as on constant rails; add up all
+forces.  The report writes the outputs.
 """
 
 from ..layout import (
-    INPUT_COUNT,
     INVALID_INPUT,
+    LOAD_VERTICAL,
     MODE_COMPLIANT,
     MODE_RIGID,
+    NOT_CONVERGED,
     UNLOADED,
     VALID,
     Inputs,
     State,
     Tables,
     Work,
-    offset,
 )
-from ..elementary.runs import copy_run
-from ..patch.outline import row_size
+from ..wheelset.free_rolling import release_rates, roll_freely, turns_freely
+from ..wheelset.input_checks import check_inputs, counted_outcome, is_needed, side_force
+from ..wheelset.prescribed_height import is_damped
 from ..wheelset.report import report
-from ..wheelset.input_checks import check_inputs, counted_outcome, is_moving, is_needed, side_force
 from ..wheelset.rigid import penetration_status
+from ..wheelset.rolling_contact import solve_creep_forces
+from ..wheelset.rows import keep_row, open_row
 from ..wheelset.side import clear_side
-from ..wheelset.vertical_load import release_friction
+from ..wheelset.vertical_load import (
+    LOAD_PASSES,
+    is_load_lost,
+    is_load_met,
+    release_friction,
+    share_load,
+)
 from .section_forces import sum_pushes
+from .section_motion import move_changing, move_changing_patches, open_changing_motion
 from .section_report import report_slopes
 from .section_roll import find_section_roll, touch_both
 from .section_side import load_pressed, load_touching
 
 
 def check_section_inputs(tables: Tables, inputs: Inputs):
-    """The outcome of the inputs: besides what a constant rail forbids, rails that change are not rolled and nothing has a
-    velocity."""
+    """The outcome of the inputs: besides what a constant rail forbids, rails that change do not roll."""
     status = check_inputs(tables, inputs)
     if status == VALID:
-        if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0 or is_moving(tables, inputs):
+        if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
+            status = INVALID_INPUT
+        if inputs.left_rail_roll_velocity != 0.0 or inputs.right_rail_roll_velocity != 0.0:
             status = INVALID_INPUT
     return status
 
@@ -47,6 +57,35 @@ def evaluate_changing(tables: Tables, work: Work):
     if status != VALID:
         return status
     release_friction(work)
+    release_rates(tables, work)
+    status = solve_changing(tables, work)
+    if status <= UNLOADED and tables.load == LOAD_VERTICAL and tables.mode != MODE_COMPLIANT:
+        status = carry_loads(tables, work, status)
+    if status <= UNLOADED and tables.mode == MODE_RIGID:
+        status = penetration_status(tables, work, status)
+    if status <= UNLOADED:
+        report(tables, work)
+        report_slopes(work, 0)
+        report_slopes(work, 1)
+    return status
+
+
+def carry_loads(tables: Tables, work: Work, status: int):
+    """Vertical loads of which friction carries a part, and of patches whose normals lean: the wheelset again, until both are
+    met (wheelset/vertical_load.py); the status, NOT_CONVERGED where no loads are found."""
+    outcome = status
+    for i in range(LOAD_PASSES):
+        if outcome > UNLOADED or is_load_met(work):
+            return outcome
+        if is_load_lost(work):
+            return NOT_CONVERGED
+        share_load(work)
+        outcome = solve_changing(tables, work)
+    return NOT_CONVERGED
+
+
+def solve_changing(tables: Tables, work: Work):
+    """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
     work.contact.filling = True
     work.contact.coarse = False
     work.contact.following = False
@@ -57,13 +96,15 @@ def evaluate_changing(tables: Tables, work: Work):
     else:
         status = stand_rigid(tables, work)
     if status <= UNLOADED:
+        move_changing(tables, work)
+        outcome = VALID
+        if turns_freely(tables, work):
+            outcome = roll_freely(tables, work)
+        else:
+            move_changing_patches(tables, work)
+            solve_creep_forces(tables, work)
+        status = max(status, outcome)
         sum_pushes(tables, work)
-        if tables.mode == MODE_RIGID:
-            status = penetration_status(tables, work, status)
-    if status <= UNLOADED:
-        report(tables, work)
-        report_slopes(work, 0)
-        report_slopes(work, 1)
     return status
 
 
@@ -87,6 +128,8 @@ def stand_compliant(tables: Tables, work: Work):
     height = work.inputs.vertical_shift
     work.wheelset.roll = work.inputs.roll
     work.wheelset.vertical_shift = height
+    if is_damped(tables):
+        open_changing_motion(tables, work)
     status = touch_both(tables, work, work.inputs.roll)
     if status != VALID:
         return status
@@ -101,20 +144,10 @@ def step_changing_row(
     tables: Tables, state: State, workspace: Work, inputs: "float[:]", outputs: "float[:]", row: int
 ):
     """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as before are not evaluated again."""
-    changed = not workspace.known
-    for i in range(INPUT_COUNT):
-        if not workspace.inputs[i] == inputs[INPUT_COUNT * row + i]:
-            changed = True
-        workspace.inputs[i] = inputs[INPUT_COUNT * row + i]
     status = workspace.status
-    if changed:
-        workspace.known = False
+    if open_row(workspace, inputs, row):
         status = evaluate_changing(tables, workspace)
-    if status <= UNLOADED:
-        workspace.known = True
-        workspace.status = status
-        size = row_size(tables)
-        copy_run(workspace.raw, offset(workspace.outputs, workspace), outputs, size * row, size)
+    keep_row(tables, workspace, outputs, row, status)
     return status
 
 

@@ -20,13 +20,18 @@ from ..layout import Pair, Place, SectionFrame, Sections, SectionTouch, ValleyNo
 from ..sections.section_surface import break_below, clamped_position, cubic_jet, line_below
 from ..surface.curvature import effective_curvature
 from ..surface.locus import around_wheel, outline_jet
+from ..sections.wheel_radius import radius_jet, wheel_bends
 from ..surface.tables import height_slope, height_slope_bend
 from .section_frame import into_frame
 
 #: Places along the line and on the wheel are found to this [m, rad].
 LINE_SHARP: Final[float] = 1e-12
 WHEEL_SHARP: Final[float] = 1e-13
-LINE_ITERATIONS: Final[int] = 30
+LINE_ITERATIONS: Final[int] = 60
+#: From this step on, every other one halves the part of the line that holds the place, as at the edge of a flat; and the length of
+#: a part whose ends are not both known [m].
+SLOW: Final[int] = 8
+OPEN: Final[float] = 1e6
 WHEEL_ITERATIONS: Final[int] = 20
 #: Longest move along the line in one step [m].
 LONGEST_MOVE: Final[float] = 0.02
@@ -44,23 +49,26 @@ def point_on_wheel(pair: Pair, place: Place, y: float, angle: float):
     """Place x and y [m] of the placed wheel at ``y`` [m] and ``angle`` [rad], their derivatives by both, its height [m], and
     its slopes along x and y [-]; x is that from the wheelset's centre."""
     sine, cosine = sine_cosine(angle)
-    z, r_y = height_slope(pair.wheel, y)
-    r = place.radius + z
+    r, r_y, r_yy, r_f, r_fy, r_ff = radius_jet(pair, place, pair.sections.frame.turn, y, angle)
     arm = place.arm + y
+    lead = r_f / r
+    ahead = sine - lead * cosine
+    down = cosine + lead * sine
+    ahead_f = r_f * sine + r * cosine
     level = arm * place.cos_roll - r * cosine * place.sin_roll
     level_y = place.cos_roll - place.sin_roll * r_y * cosine
-    level_f = place.sin_roll * r * sine
-    beside = -r_y * place.cos_roll - cosine * place.sin_roll
-    normal_z = cosine * place.cos_roll - r_y * place.sin_roll
-    normal_x = place.cos_yaw * sine - place.sin_yaw * beside
-    normal_y = place.sin_yaw * sine + place.cos_yaw * beside
+    level_f = place.sin_roll * (r * sine - r_f * cosine)
+    beside = -r_y * place.cos_roll - down * place.sin_roll
+    normal_z = down * place.cos_roll - r_y * place.sin_roll
+    normal_x = place.cos_yaw * ahead - place.sin_yaw * beside
+    normal_y = place.sin_yaw * ahead + place.cos_yaw * beside
     return (
         place.cos_yaw * r * sine - place.sin_yaw * level,
         place.shift + place.sin_yaw * r * sine + place.cos_yaw * level,
         place.cos_yaw * r_y * sine - place.sin_yaw * level_y,
         place.sin_yaw * r_y * sine + place.cos_yaw * level_y,
-        place.cos_yaw * r * cosine - place.sin_yaw * level_f,
-        place.sin_yaw * r * cosine + place.cos_yaw * level_f,
+        place.cos_yaw * ahead_f - place.sin_yaw * level_f,
+        place.sin_yaw * ahead_f + place.cos_yaw * level_f,
         arm * place.sin_roll + r * cosine * place.cos_roll - place.height,
         normal_x,
         normal_y,
@@ -202,13 +210,29 @@ def constant_bend(along: float, twist: float, across: float, curvature: float, r
     return across + (c * c * along / curvature + 2.0 * c * twist - twist * twist) / (along + curvature)
 
 
+def deviation_bends(pair: Pair, place: Place, y: float, angle: float):
+    """What a wheel that is not round has beyond a round one, at the abscissa ``y`` [m] and the ``angle`` [rad], in the second
+    derivatives of its height along the frame's x, x and y, and y [1/m]: the rail then has that much less."""
+    if not pair.out_of_round:
+        return 0.0, 0.0, 0.0
+    sine, cosine = sine_cosine(angle)
+    r, r_y, r_yy, r_f, r_fy, r_ff = radius_jet(pair, place, pair.sections.frame.turn, y, angle)
+    along, twist, bend = wheel_bends(place, sine, cosine, r, r_y, r_yy, r_f, r_fy, r_ff)
+    z, slope, slope_rate = height_slope_bend(pair.wheel, y)
+    other, other_twist, other_bend = wheel_bends(
+        place, sine, cosine, place.radius + z, slope, slope_rate, 0.0, 0.0, 0.0
+    )
+    return along - other, twist - other_twist, bend - other_bend
+
+
 def follow_line(
     pair: Pair, place: Place, position: float, line: int, u: float, y: float, angle: float, node: ValleyNode
 ):
     """Write the node of a line, sought from the position ``u``, the wheel abscissa ``y`` [m] and the ``angle`` [rad] on;
     whether it is found, and these three where it is.
 
-    Along the line the slope of the gap along x is brought to zero by secants, the first one with the wheel's curvature.
+    Along the line the slope of the gap along x, which rises where there is one valley, is brought to zero by secants, the first one
+    with the wheel's curvature, between places where it has both signs.
 
     Long because what a node holds follows from all the numbers of its place.
     """
@@ -223,6 +247,8 @@ def follow_line(
     height = 0.0
     aside = 0.0
     curvature, rate = curvature_of_outline(pair, place, y)
+    low = -OPEN
+    high = OPEN
     found = False
     for i in range(LINE_ITERATIONS):
         x, across, z, slope, rise, x_u = line_point(pair, frame, position, line, u)
@@ -236,7 +262,13 @@ def follow_line(
             secant = (miss - miss_before) / (u - before)
             if secant > LEAST_LEFT * gain:
                 gain = secant
+        if miss > 0.0:
+            high = min(high, u)
+        else:
+            low = max(low, u)
         move = max(min(-miss / gain, LONGEST_MOVE), -LONGEST_MOVE)
+        if high - low < OPEN and (not (u + move >= low and u + move <= high) or (i >= SLOW and i % 2 == 0)):
+            move = 0.5 * (low + high) - u
         if fabs(move) < LINE_SHARP:
             found = True
             break
@@ -249,10 +281,15 @@ def follow_line(
     if not over:
         return False, u, y, angle
     curvature, rate = curvature_of_outline(pair, place, outline)
+    more_along, more_twist, more_bend = deviation_bends(pair, place, y, angle)
     along, twist, bend = line_bends(pair, frame, line, u, False)
-    node.before = constant_bend(along, twist, bend, curvature, rate)
+    along -= more_along
+    twist -= more_twist
+    node.before = constant_bend(along, twist, bend - more_bend, curvature, rate)
     along, twist, bend = line_bends(pair, frame, line, u, True)
-    node.behind = constant_bend(along, twist, bend, curvature, rate)
+    along -= more_along
+    twist -= more_twist
+    node.behind = constant_bend(along, twist, bend - more_bend, curvature, rate)
     if not along > (LEAST_LEFT - 1.0) * curvature:
         return False, u, y, angle
     wheel_z, wheel_slope, wheel_bend = height_slope_bend(pair.wheel, outline)
@@ -281,6 +318,7 @@ def follow_valley(pair: Pair, place: Place, touch: SectionTouch, position: float
     interval = break_below(sections.breaks, sections.interval_count, at)
     first = interval * sections.knot_count
     below = line_below(sections, first, at - sections.breaks[interval], touch.rail_y - sections.lateral)
+    sections.far = far
     sections.cut_first = follow_side(pair, place, touch, position, far, below, -1)
     sections.cut_last = follow_side(pair, place, touch, position, far, below + 1, 1)
     if not (sections.first <= below and sections.last > below):

@@ -35,29 +35,12 @@ def move_patch(motion: Motion, patch: Patch):
     x = patch.x_track
     y = patch.y_track - motion.centre_y
     z = patch.z_track - motion.centre_z
-    rail = motion.rail
     rolling_x, rolling_y, rolling_z, share = rolling_velocity(motion, x, y, z, patch.rolling_radius)
     along = velocity_along(motion, y, z, rolling_x)
-    lateral = (
-        motion.lateral
-        + motion.track_rate * x
-        + motion.turn_z * x
-        - motion.turn_x * z
-        - rolling_y
-        - rail.lateral
-        + rail.roll * (patch.z_track - rail.z)
-    )
-    vertical = (
-        motion.vertical
-        + motion.turn_x * y
-        - motion.turn_y * x
-        - rolling_z
-        - rail.vertical
-        - rail.roll * (patch.y_track - rail.y)
-    )
+    lateral, vertical = velocity_across(motion, x, patch.y_track, patch.z_track, rolling_y, rolling_z)
     normal_y = -patch.angle_sin
     normal_z = -patch.angle_cos
-    speed = reference_speed(motion, rolling_x)
+    speed = reference_speed(motion.speed, rolling_x)
     patch.speed = speed
     patch.radius_share = share
     patch.backwards = motion.speed + rolling_x < 0.0
@@ -137,9 +120,38 @@ def velocity_along(motion: Motion, y: float, z: float, rolling_x: float):
     )
 
 
-def reference_speed(motion: Motion, rolling_x: float):
-    """The rolling speed [m/s] that creepages are referred to."""
-    speed = 0.5 * (fabs(motion.speed) + fabs(rolling_x))
+def velocity_across(
+    motion: Motion, x: float, y_track: float, z_track: float, rolling_y: float, rolling_z: float
+):
+    """Velocity of the wheel's surface against the rail [m/s] at a place in the track, to the field side and down, where the
+    rotation about the axle has the parts ``rolling_y`` and ``rolling_z``."""
+    rail = motion.rail
+    y = y_track - motion.centre_y
+    z = z_track - motion.centre_z
+    lateral = (
+        motion.lateral
+        + motion.track_rate * x
+        + motion.turn_z * x
+        - motion.turn_x * z
+        - rolling_y
+        - rail.lateral
+        + rail.roll * (z_track - rail.z)
+    )
+    vertical = (
+        motion.vertical
+        + motion.turn_x * y
+        - motion.turn_y * x
+        - rolling_z
+        - rail.vertical
+        - rail.roll * (y_track - rail.y)
+    )
+    return lateral, vertical
+
+
+def reference_speed(running: float, rolling: float):
+    """The rolling speed [m/s] that creepages are referred to, of a wheelset that is ``running`` and a wheel whose surface is
+    ``rolling`` [m/s] along the rail."""
+    speed = 0.5 * (fabs(running) + fabs(rolling))
     return sqrt(speed * speed + REST * REST)
 
 

@@ -35,7 +35,7 @@ from ..layout import (
     TurningPatch,
     clear,
 )
-from .creepage import REST, move_patch
+from .creepage import REST
 from .tractions import kalker_coefficients
 
 #: The torque that is left is less than this share of that of all friction [-].
@@ -103,22 +103,25 @@ def enclose_rates(turning: Turning, motion: Motion, patch: Patch):
         strip = patch.strips[i]
         if strip.line_load > 0.0:
             along, ahead = heading_velocity(motion, patch.x_track + strip.x, strip.y_track, strip.z_track)
-            rate = along / strip.rolling_radius
-            if turning.count == 0:
-                turning.low = rate
-                turning.high = rate
-                turning.count = 1
-            turning.low = min(turning.low, rate)
-            turning.high = max(turning.high, rate)
+            enclose_rate(turning, along / strip.rolling_radius)
+
+
+def enclose_rate(turning: Turning, rate: float):
+    """Let the enclosure hold the ``rate`` of a strip [rad/s]."""
+    if turning.count == 0:
+        turning.low = rate
+        turning.high = rate
+        turning.count = 1
+    turning.low = min(turning.low, rate)
+    turning.high = max(turning.high, rate)
 
 
 def add_stand_in(tables: Tables, turning: Turning, motion: Motion, patch: Patch, friction: float):
-    """Add a patch with this coefficient of ``friction`` to the stand-in.  Its lateral force is that at the
-    motion's rotation, over the rolling speed there."""
+    """Add a patch with this coefficient of ``friction`` to the stand-in.  Its lateral force is that of its creepages, over
+    the rolling speed of these."""
     if patch.half_width > 0.0 and patch.half_length > 0.0 and turning.count < AXLE_PATCHES:
         own = turning.patches[turning.count]
         turning.count = turning.count + 1
-        move_patch(motion, patch)
         along, ahead = heading_velocity(motion, patch.x_track, patch.y_track, patch.z_track)
         first, second, third = kalker_coefficients(tables.rolling, patch.half_length / patch.half_width)
         area = patch.half_length * patch.half_width

@@ -22,7 +22,7 @@ from .contact import (
     Profile,
     Regions,
 )
-from .creep import Rolling, RollingTable, Turning
+from .creep import LeaningPatches, Rolling, RollingTable, Turning
 from .interface import PATCH_LIMIT, Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (
     Equations,
@@ -247,6 +247,11 @@ class Pair:
         Sections
     )  # of a rail whose section changes along the track, beside which ``rail`` does not count
     changing: bool  # whether it does
+    deviation: To(
+        Sections
+    )  # of a wheel that is not round: how much larger its radius is, over angles and abscissae
+    out_of_round: bool  # whether it is one
+    roller: float  # radius of the roller that stands for the rail [m]; 0 for a rail
 
 
 @record
@@ -348,6 +353,7 @@ class Work:
     patch: Patch  # a patch by itself, apart from a step
     section_search: SectionSearch
     touches: SectionTouches
+    leaning: LeaningPatches  # places of contact on rails whose section changes
 
 
 INPUT_COUNT: Final[int] = size(Inputs)

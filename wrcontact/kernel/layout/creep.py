@@ -2,6 +2,7 @@
 
 from typing import Final
 
+from .interface import Vector
 from .patch import ROLLING_STRIP_LIMIT, SOLVED_PATCH_LIMIT
 from .record import Float, record, run
 
@@ -36,13 +37,37 @@ POINT_LIMIT: Final[int] = 16  # points of a strip, from its leading edge
 
 @record
 class RailMotion:
-    """How a rail moves, and the place about which it rolls."""
+    """How a rail moves, and the place about which it rolls; and how a roller turns about its axle."""
 
     lateral: float  # velocity to the right [m/s]
     vertical: float  # and down
     roll: float  # rotation, right side down [rad/s]
     y: float  # track coordinates of its highest point [m]
     z: float
+    turn: float  # of a roller, whose surface runs back below the wheel [rad/s]; 0 for a rail
+    axle_x: float  # place of its axle ahead of the wheelset's middle, and below the track [m]
+    axle_z: float
+
+
+@record
+class Leaning:
+    """A place of contact on a rail whose section changes, in the track; the left side's is mirrored."""
+
+    x: float  # place [m]
+    y: float
+    z: float
+    ahead: Vector  # along the rail in the plane of contact,
+    aside: Vector  # to the field side in it,
+    down: Vector  # and along the normal into the rail, which is ahead x aside [-]
+    swelling: float  # how fast a wheel that is not round grows there towards the rail as it turns [m]
+
+
+@record
+class LeaningPatch:
+    """Those of a patch: of its centre of load, and of its strips."""
+
+    own: Leaning
+    strips: Leaning * ROLLING_STRIP_LIMIT
 
 
 @record
@@ -118,6 +143,10 @@ RollingBlocks = RollingBlock * BLOCK_COUNT
 
 #: Patches of both wheels, which may turn about one axle.
 AXLE_PATCHES: Final[int] = 2 * SOLVED_PATCH_LIMIT
+
+
+#: Those of the left wheel, then those of the right one.
+LeaningPatches = LeaningPatch * AXLE_PATCHES
 
 
 @record

@@ -71,6 +71,7 @@ class SectionFrame:
     aside: Float * 3
     down: Float * 3
     centre: Float * 3  # the wheelset's centre in it [m]
+    turn: float  # of the wheel, for angles around it in the frame [rad]
 
 
 @record
@@ -122,6 +123,7 @@ class Sections:
     last: int
     cut_first: bool  # whether the places beyond are not followed, though there is a rail
     cut_last: bool
+    far: float  # the gap up to which it is laid [m]
     arc_start: float  # where the section begins and ends in the frame [m],
     arc_stop: float
     arc_before: float  # how long it is before the first node, later before the first cell of its arcs [m],
@@ -184,6 +186,15 @@ class SectionSpread:
     most_bend: float
     least_radius: float  # [m]
     most_radius: float
+    out_of_round: bool  # whether the next ones are known; they are those of the radius:
+    least_rate: float  # by the angle [m],
+    most_rate: float
+    least_rate_bend: float  # its second derivative [m],
+    most_rate_bend: float
+    most_rate_twist: float  # and the largest absolute mixed one [-]
+    least_lead: float  # of the normal before the radius, by these rates [rad]
+    most_lead: float
+    least_lead_cosine: float
     least_sine: float  # of the angles
     most_sine: float
     least_cosine: float
@@ -209,6 +220,7 @@ class SectionSearch:
 
     place: Place  # where the wheel is placed
     position: float  # of the wheelset along the track [m]
+    rotation: float  # of the wheelset about its axle, without whole turns [rad]
     best: float  # smallest gap found [m]
     best_y: float  # its wheel abscissa [m]
     best_angle: float  # and angle around the wheel, forward from the lowest point [rad]
@@ -226,7 +238,8 @@ class SectionSearch:
     inside: bool  # whether there is a surface below all of it
     at: SectionGap  # last computed; in the end at the smallest one
     spread: SectionSpread
-    bounds: SectionBounds
+    bounds: SectionBounds  # of the rail
+    deviation: SectionBounds  # of a wheel that is not round
     boxes: SectionBox * BOX_LIMIT
 
 
@@ -244,6 +257,7 @@ class SectionTouch:
     along: float  # slopes of the rail there [-]
     slope: float
     rate: float  # how the gap follows the roll [m]
+    turn_rate: float  # and the rotation of a wheel that is not round [m]
 
 
 #: Of the left and right side.

@@ -11,4 +11,5 @@ def search_at(tables: Tables, search: SectionSearch, index: int, pose: "float[:]
     pair = tables.pairs[index]
     place_wheelset(search.place, pose[1], pose[2], pose[3], pair.radius, tables.height, tables.arm)
     search.position = pose[0]
+    search.rotation = 0.0
     return search_sections(pair, search.place, search)

@@ -17,7 +17,6 @@ from typing import Final
 
 from ..elementary.circle import sine_cosine
 from ..layout import BOX_LIMIT, Pair, Place, SectionBox, SectionSearch, SectionSpread
-from ..surface.tables import height_slope
 from .section_bounds import section_bounds
 from .section_gap import compute_gap, settled_angle
 from .section_spread import (
@@ -25,10 +24,12 @@ from .section_spread import (
     lowest_angle,
     spread_angles,
     spread_bends,
+    spread_deviation,
     spread_reach,
     spread_slopes,
     spread_wheel,
 )
+from .wheel_radius import radius_jet
 
 #: Cells of the wheel's raster in a first box.
 FIRST_CELLS: Final[int] = 4
@@ -120,6 +121,10 @@ def above_surface(pair: Pair, y: float) -> bool:
 
 def try_first(pair: Pair, place: Place, search: SectionSearch, y: float):
     """Keep the smallest gap at ``y`` [m] by the angle, from the level wheel on, if it is the smallest one known."""
+    if pair.out_of_round:
+        # Newton's method may be led away where the wheel is nearly as hollow as it is round
+        compute_gap(pair, place, search, y, 0.0)
+        keep_gap(pair, search, y, 0.0)
     angle = settled_angle(pair, place, search, y, 0.0, -STEEPEST_ANGLE, STEEPEST_ANGLE)
     keep_gap(pair, search, y, angle)
 
@@ -195,11 +200,15 @@ def narrow_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox)
     spread = search.spread
     sections = pair.sections
     spread_wheel(pair, spread, box.low, box.high)
+    spread_deviation(pair, search, box)
     reach = lowest_angle(place, spread, sections.top, search.best, box.low, box.high)
     box.back = max(box.back, -reach)
     box.ahead = min(box.ahead, reach)
     if not box.back <= box.ahead or reach < 0.0:
         return False
+    if pair.out_of_round:
+        spread_wheel(pair, spread, box.low, box.high)
+        spread_deviation(pair, search, box)
     find_below(pair, place, search, box)
     if search.inside:
         keep_angles(place, spread, box, sections.least_lean, sections.most_lean)
@@ -218,6 +227,9 @@ def narrow_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox)
         if not box.back <= box.ahead:
             return False
         if box.ahead - box.back < NARROWED * width:
+            if pair.out_of_round:
+                spread_wheel(pair, spread, box.low, box.high)
+                spread_deviation(pair, search, box)
             find_below(pair, place, search, box)
             read_bounds(pair, search)
     return True
@@ -234,7 +246,7 @@ def find_below(pair: Pair, place: Place, search: SectionSearch, box: SectionBox)
     """Write where the rail below a box is."""
     spread = search.spread
     spread_angles(spread, box.back, box.ahead)
-    x, y = wheel_place(pair, place, 0.5 * (box.low + box.high), 0.5 * (box.back + box.ahead))
+    x, y = wheel_place(pair, place, search.rotation, 0.5 * (box.low + box.high), 0.5 * (box.back + box.ahead))
     ahead, aside = spread_reach(place, spread, 0.5 * (box.high - box.low), 0.5 * (box.ahead - box.back))
     search.u = search.position + x
     search.abscissa = y - pair.rail_y
@@ -258,11 +270,10 @@ def read_bounds(pair: Pair, search: SectionSearch):
     )
 
 
-def wheel_place(pair: Pair, place: Place, y: float, angle: float):
+def wheel_place(pair: Pair, place: Place, rotation: float, y: float, angle: float):
     """Track coordinates x, from the middle of the wheelset, and y [m] of a place on the wheel."""
     sine, cosine = sine_cosine(angle)
-    z, slope = height_slope(pair.wheel, y)
-    r = place.radius + z
+    r, r_y, r_yy, r_f, r_fy, r_ff = radius_jet(pair, place, rotation, y, angle)
     across = (place.arm + y) * place.cos_roll - r * cosine * place.sin_roll
     return (
         place.cos_yaw * r * sine - place.sin_yaw * across,

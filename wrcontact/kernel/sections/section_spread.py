@@ -6,9 +6,11 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.circle import atan, atan2, sine_cosine
-from ..layout import EXPONENTS, Pair, Place, SectionBounds, SectionSpread
+from ..layout import EXPONENTS, Pair, Place, SectionBounds, SectionBox, SectionSearch, SectionSpread
 from ..search.bounds import node_below
 from ..surface.tables import height_slope
+from .section_bounds import section_bounds
+from .section_surface import section_jet
 
 #: Angles are looked at this much farther [rad]: rounding.
 ANGLE_ROUNDING: Final[float] = 1e-9
@@ -59,22 +61,66 @@ def spread_wheel(pair: Pair, spread: SectionSpread, low: float, high: float):
     away = half * max(fabs(spread.least_slope), fabs(spread.most_slope))
     spread.least_radius = pair.radius + z - away
     spread.most_radius = pair.radius + z + away
+    spread.out_of_round = False
+    spread.least_lead = 0.0
+    spread.most_lead = 0.0
+    spread.least_lead_cosine = 1.0
+
+
+def spread_deviation(pair: Pair, search: SectionSearch, box: SectionBox):
+    """Widen these ranges by how far a wheel is out of round in a box, and write how fast its radius changes around it."""
+    if not pair.out_of_round:
+        return
+    spread = search.spread
+    spread.out_of_round = True
+    bounds = search.deviation
+    back = search.rotation + box.back
+    ahead = search.rotation + box.ahead
+    section_bounds(pair.deviation, bounds, back, ahead, box.low, box.high)
+    d, d_f, d_y, d_ff, d_fy, d_yy = section_jet(
+        pair.deviation, 0.5 * (back + ahead), 0.5 * (box.low + box.high)
+    )
+    away = 0.5 * (ahead - back) * max(fabs(bounds.least_along), fabs(bounds.most_along))
+    away += 0.5 * (box.high - box.low) * max(fabs(bounds.least_across), fabs(bounds.most_across))
+    spread.least_radius += d - away
+    spread.most_radius += d + away
+    spread.least_slope += bounds.least_across
+    spread.most_slope += bounds.most_across
+    spread.least_bend += bounds.least_bend_across
+    spread.most_bend += bounds.most_bend_across
+    spread.least_rate = bounds.least_along
+    spread.most_rate = bounds.most_along
+    spread.least_rate_bend = bounds.least_bend_along
+    spread.most_rate_bend = bounds.most_bend_along
+    spread.most_rate_twist = max(fabs(bounds.least_twist), fabs(bounds.most_twist))
+    low, high = product(
+        bounds.least_along, bounds.most_along, 1.0 / spread.most_radius, 1.0 / spread.least_radius
+    )
+    spread.least_lead = atan(low)
+    spread.most_lead = atan(high)
+    largest = max(low * low, high * high)
+    spread.least_lead_cosine = 1.0 / sqrt(1.0 + largest)
 
 
 def angles_of_normals(place: Place, spread: SectionSpread, least_lean: float, most_lean: float):
     """The angles [rad] at which the normals of the wheel can have an x component of ``least_lean`` ... ``most_lean``, by
-    (A1)."""
-    least, most = square(spread.least_slope, spread.most_slope)
+    (A1).
+
+    Where the wheel is not round its normal is that of a round one at the angle less its lead, atan(r_phi / r), with the slope
+    times the lead's cosine.
+    """
+    slope_low, slope_high = product(spread.least_slope, spread.most_slope, spread.least_lead_cosine, 1.0)
+    least, most = square(slope_low, slope_high)
     low, high = product(least_lean, most_lean, sqrt(1.0 + least), sqrt(1.0 + most))
-    yawed_low, yawed_high = scaled(-place.sin_yaw * place.cos_roll, spread.least_slope, spread.most_slope)
+    yawed_low, yawed_high = scaled(-place.sin_yaw * place.cos_roll, slope_low, slope_high)
     tilt = place.sin_yaw * place.sin_roll
     size = sqrt(place.cos_yaw * place.cos_yaw + tilt * tilt)
     low = min(max((low + yawed_low) / size, -1.0), 1.0)
     high = min(max((high + yawed_high) / size, -1.0), 1.0)
     away = atan(tilt / place.cos_yaw)
     return (
-        atan2(low, sqrt(1.0 - low * low)) - away - ANGLE_ROUNDING,
-        atan2(high, sqrt(1.0 - high * high)) - away + ANGLE_ROUNDING,
+        atan2(low, sqrt(1.0 - low * low)) - away + spread.least_lead - ANGLE_ROUNDING,
+        atan2(high, sqrt(1.0 - high * high)) - away + spread.most_lead + ANGLE_ROUNDING,
     )
 
 
@@ -112,6 +158,8 @@ def spread_reach(place: Place, spread: SectionSpread, half: float, angle: float)
     yaw = fabs(place.sin_yaw)
     roll = fabs(place.sin_roll)
     turn = spread.most_radius * angle
+    if spread.out_of_round:
+        turn += max(fabs(spread.least_rate), fabs(spread.most_rate)) * angle
     return (
         half * (slope * sine + yaw * (1.0 + roll * slope)) + turn * (1.0 + yaw * roll * sine),
         half * (yaw * slope * sine + 1.0 + roll * slope) + turn * (yaw + roll * sine),
@@ -158,6 +206,10 @@ def spread_slopes(place: Place, spread: SectionSpread, bounds: SectionBounds):
     spread.least_turn, spread.most_turn = product(
         spread.least_radius, spread.most_radius, spread.least_aside, spread.most_aside
     )
+    if spread.out_of_round:
+        low, high = product(spread.least_rate, spread.most_rate, spread.least_outward, spread.most_outward)
+        spread.least_turn += low
+        spread.most_turn += high
 
 
 def spread_bends(place: Place, spread: SectionSpread, bounds: SectionBounds):
@@ -172,6 +224,14 @@ def spread_bends(place: Place, spread: SectionSpread, bounds: SectionBounds):
     low, high = product(spread.least_radius, spread.most_radius, spread.least_cosine, spread.most_cosine)
     least, most = product(spread.least_radius, spread.most_radius, spread.least_sine, spread.most_sine)
     least, most = scaled(place.sin_roll, least, most)
+    if spread.out_of_round:
+        first, last = product(spread.least_rate, spread.most_rate, spread.least_sine, spread.most_sine)
+        low += first
+        high += last
+        first, last = product(spread.least_rate, spread.most_rate, spread.least_cosine, spread.most_cosine)
+        first, last = scaled(-place.sin_roll, first, last)
+        least += first
+        most += last
     xf_low, xf_high, yf_low, yf_high = tangent(place, low, high, least, most)
     low, high = product(spread.least_bend, spread.most_bend, spread.least_outward, spread.most_outward)
     least, most = form(bounds, xy_low, xy_high, yy_low, yy_high)
@@ -184,6 +244,21 @@ def spread_bends(place: Place, spread: SectionSpread, bounds: SectionBounds):
     spread.twist = mixed(bounds, xy_low, xy_high, xf_low, xf_high, yy_low, yy_high, yf_low, yf_high)
     low, high = product(spread.least_slope, spread.most_slope, spread.least_aside, spread.most_aside)
     spread.twist += max(fabs(low), fabs(high))
+    if spread.out_of_round:
+        add_deviation(spread)
+
+
+def add_deviation(spread: SectionSpread):
+    """Add what a wheel that is not round has in these bounds: (r_phiphi) O + 2 r_phi A, and r_phiy O."""
+    low, high = product(
+        spread.least_rate_bend, spread.most_rate_bend, spread.least_outward, spread.most_outward
+    )
+    least, most = product(spread.least_rate, spread.most_rate, spread.least_aside, spread.most_aside)
+    low += 2.0 * least
+    high += 2.0 * most
+    spread.bend_around += low
+    spread.most_around += max(fabs(low), fabs(high))
+    spread.twist += spread.most_rate_twist * max(fabs(spread.least_outward), fabs(spread.most_outward))
 
 
 def tangent(place: Place, low: float, high: float, level_low: float, level_high: float):

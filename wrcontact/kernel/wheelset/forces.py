@@ -109,6 +109,15 @@ def add_creep_force(motion: Motion, patch: Patch):
     forces.force[0] += patch.creep_x
     forces.force[1] += force_y + across
     forces.force[2] += force_z + down
+    turn_creep_force(motion, patch, moment_x, moment_y, moment_z, missing)
+
+
+def turn_creep_force(
+    motion: Motion, patch: Patch, moment_x: float, moment_y: float, moment_z: float, missing: float
+):
+    """Add to the forces of a patch the moment of its creep force about the wheelset's centre [N m], which is ``missing`` so
+    much about the axle, and what else follows from that force."""
+    forces = patch.forces
     forces.moment[0] += moment_x + missing * motion.axle_x
     forces.moment[1] += moment_y + missing * motion.axle_y
     forces.moment[2] += moment_z + missing * motion.axle_z

@@ -24,7 +24,6 @@ from ..creep.turning import (
     add_stand_in,
     begin_search,
     begin_turning,
-    enclose_rates,
     is_at_jump,
     is_balanced,
     is_beyond,
@@ -49,9 +48,9 @@ from ..layout import (
 )
 from ..surface.rails import on_springs
 from .compliant import leave_jumps, turn_compliant
-from .forces import add_creep_force
 from .input_checks import has_creep_forces, is_free, outer_torque
-from .rolling_contact import move_side, open_given_motion, solve_wheel_creep, side_friction, write_side_wear
+from .leaning_wheel import enclose_wheel, force_one, move_one, move_wheel
+from .rolling_contact import open_given_motion, solve_wheel_creep, side_friction, write_side_wear
 
 #: Growth of the distances at which rates are tried where friction falls.
 GROWTH: Final[float] = 1.5
@@ -154,9 +153,7 @@ def open_turning(tables: Tables, work: Work, first: int, last: int) -> bool:
     turning = work.turning
     begin_turning(turning, outer_torque(tables, work.inputs, first), work.inputs.speed)
     for index in range(first, last + 1):
-        side = work.sides[index]
-        for number in range(side.patch_count):
-            enclose_rates(turning, side.motion, side.patches[number])
+        enclose_wheel(tables, work, index)
     turning.count = 0
     middle = 0.5 * (turning.low + turning.high)
     for index in range(first, last + 1):
@@ -165,6 +162,8 @@ def open_turning(tables: Tables, work: Work, first: int, last: int) -> bool:
         for number in range(side.patch_count):
             patch = side.patches[number]
             set_friction(tables, patch, side_friction(work, index), True)
+            if patch.half_width > 0.0 and patch.half_length > 0.0:
+                move_one(tables, work, index, number)
             add_stand_in(tables, turning, side.motion, patch, patch.friction)
     widen_enclosure(turning)
     begin_search(turning, middle)
@@ -192,11 +191,11 @@ def solve_creep_at(tables: Tables, work: Work, first: int, last: int, rate: floa
     for index in range(first, last + 1):
         side = work.sides[index]
         side.motion.wheel_rate = rate
-        move_side(tables, side)
+        move_wheel(tables, work, index)
         own = 0.0
         solve_wheel_creep(tables, work, index)
         for number in range(side.patch_count):
-            add_creep_force(side.motion, side.patches[number])
+            force_one(tables, work, index, number)
             own += side.patches[number].forces.driving_torque
         torque += own
     return torque

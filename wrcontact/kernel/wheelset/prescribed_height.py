@@ -83,10 +83,16 @@ def damp_patches(tables: Tables, side: SideSearch):
     """Damp the patches of a side."""
     for number in range(side.patch_count):
         patch = side.patches[number]
-        factor = max(1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch), 0.0)
+        factor = damping_factor(tables, approach_rate(side.motion, patch))
         patch.damping_power = (factor - 1.0) * pressing_power(side.motion, patch)
         damp_patch(patch, factor)
     total_patches(side)
+
+
+@seldom
+def damping_factor(tables: Tables, approach: float):
+    """What the force of a patch is multiplied by whose wheel and rail ``approach`` each other [m/s]."""
+    return max(1.0 + tables.parameters.contact_damping * approach, 0.0)
 
 
 @seldom
@@ -113,6 +119,7 @@ def damp_patch(patch: Patch, factor: float):
     """Multiply load, force and moments of a patch by ``factor``."""
     patch.totals.load *= factor
     patch.totals.moment *= factor
+    patch.normal_x *= factor
     patch.normal_y *= factor
     patch.normal_z *= factor
     for i in range(3):

@@ -9,7 +9,6 @@ writes the outputs.
 """
 
 from ..layout import (
-    INPUT_COUNT,
     MODE_COMPLIANT,
     MODE_ELASTIC,
     MODE_RIGID,
@@ -20,10 +19,7 @@ from ..layout import (
     State,
     Tables,
     Work,
-    offset,
 )
-from ..elementary.runs import copy_run
-from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
 from .depth_rates import follow_depths
@@ -42,6 +38,7 @@ from .rolled_rails import (
 )
 from .rolling_contact import move_patches, move_wheelset, solve_creep_forces
 from .report import report
+from .rows import keep_row, open_row
 from .rigid import find_roll, keep_roll, penetration_status, solve_rigid
 from .residuals import turn_to
 from .vertical_load import (
@@ -160,20 +157,10 @@ def step_row(
 ):
     """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
     before are not evaluated again."""
-    changed = not workspace.known
-    for i in range(INPUT_COUNT):
-        if not workspace.inputs[i] == inputs[INPUT_COUNT * row + i]:
-            changed = True
-        workspace.inputs[i] = inputs[INPUT_COUNT * row + i]
     status = workspace.status
-    if changed:
-        workspace.known = False
+    if open_row(workspace, inputs, row):
         status = evaluate(tables, workspace, state)
-    if status <= UNLOADED:
-        workspace.known = True
-        workspace.status = status
-        size = row_size(tables)
-        copy_run(workspace.raw, offset(workspace.outputs, workspace), outputs, size * row, size)
+    keep_row(tables, workspace, outputs, row, status)
     return status
 
 
