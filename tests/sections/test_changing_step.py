@@ -57,7 +57,9 @@ def test_equal_slices_are_the_constant_rail(pose, model):
     status, wanted = stepped(system(model).stepper(), **inputs)
     found = stepped(on_equal_slices(model), track_position=0.2, **inputs)
     assert (found[0], status) == (0, 0)
-    assert_alike(found[1], wanted, 5e-8 if model != "hertz" else 1e-6, 1e-10)
+    # around the flange root the constant rail's own table of arc lengths is wrong by 1e-8 m (prepare/curvatures.py)
+    share = 1e-7 if pose[0] > 5e-3 else 2e-8
+    assert_alike(found[1], wanted, share if model != "hertz" else 1e-6, 1e-10)
 
 
 @pytest.mark.parametrize("model", MODELS)

@@ -104,6 +104,16 @@ class Surface:
             np.concatenate([jet_before, jet, jet_behind[:, ::-1]], axis=1),
         )
 
+    def arcs(self, u):
+        """Length of the section at ``u`` [m] from its first line to each (k,) [m], by Gauss's formula."""
+        lines = self.lines(u)
+        first = [lines[:, :-1, column, None] for column in (PLACE, HEIGHT, SLOPE, BEHIND)]
+        second = [lines[:, 1:, column, None] for column in (PLACE, HEIGHT, SLOPE, BEFORE)]
+        nodes, weights = np.polynomial.legendre.leggauss(10)
+        distance = second[0][0] - first[0][0]
+        slope = _quintic(first, second, first[0][0] + distance * 0.5 * (1.0 + nodes))[2]
+        return np.append(0.0, np.cumsum(0.5 * distance[:, 0] * (np.hypot(1.0, slope) @ weights)))
+
     def edges(self, u):
         """Lateral places [m] of the first and of the last line at ``u`` [m], two arrays of its shape."""
         at, t = self._at(u)

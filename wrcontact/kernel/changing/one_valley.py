@@ -6,7 +6,7 @@ that is more hollow along the track than the wheel is round may be touched twice
 
 from typing import Final
 
-from ..layout import BOX_LIMIT, Pair, SectionBox, SectionSearch, SectionTouch
+from ..layout import BOX_LIMIT, Pair, SectionBox, Sections, SectionSearch, SectionTouch
 from ..sections.section_gap import compute_gap
 from ..sections.section_search import FIRST_CELLS, STEEPEST_ANGLE, largest_fall, narrow_box, write_box
 from ..sections.section_spread import spread_bends, spread_slopes
@@ -16,6 +16,8 @@ CONVEX_BOXES: Final[int] = 400
 #: Angles at the ends of a box are left out in this share of its angles at a time, and so often at most.
 TRIMMED: Final[float] = 0.25
 TRIMS: Final[int] = 40
+#: Where the overlap ends is looked for in boxes down to this width [m].
+NARROW: Final[float] = 5e-4
 
 
 def has_one_valley(pair: Pair, touch: SectionTouch, search: SectionSearch, depth: float) -> bool:
@@ -48,7 +50,7 @@ def is_convex_along(pair: Pair, touch: SectionTouch, search: SectionSearch) -> b
         box = search.boxes[waiting]
         if narrow_box(pair, touch.place, search, box):
             if trim_box(pair, touch, search, box):
-                if not search.spread.bend_around > 0.0:
+                if not search.spread.bend_around > 0.0 or is_wide_beyond(pair.sections, box):
                     middle = 0.5 * (box.low + box.high)
                     write_box(search.boxes[waiting + 1], middle, box.high, box.back, box.ahead)
                     box.high = middle
@@ -57,6 +59,13 @@ def is_convex_along(pair: Pair, touch: SectionTouch, search: SectionSearch) -> b
                     search.low = min(search.low, box.low)
                     search.high = max(search.high, box.high)
     return True
+
+
+def is_wide_beyond(sections: Sections, box: SectionBox) -> bool:
+    """Whether a box reaches beyond the rail that is laid, and a narrower one may tell whether the overlap does."""
+    beyond = sections.cut_first and box.low < sections.nodes[sections.first].wheel
+    beyond = beyond or (sections.cut_last and box.high > sections.nodes[sections.last].wheel)
+    return beyond and box.high - box.low > NARROW
 
 
 def trim_box(pair: Pair, touch: SectionTouch, search: SectionSearch, box: SectionBox) -> bool:

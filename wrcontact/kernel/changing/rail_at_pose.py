@@ -12,10 +12,10 @@ from ..layout import (
     Tables,
     offset,
 )
-from ..prepare.curvatures import write_abscissae, write_arcs
 from ..prepare.pieces import BINS_EACH_METRE, FULL, write_quintic, write_stops
 from ..prepare.scan import FINE_STEP
 from ..prepare.scan_bends import write_joints, write_waves
+from .arcs_at_pose import write_abscissae_at_pose, write_arcs_at_pose
 from .bounds_at_pose import write_bounds_at_pose
 
 #: Cells of bounds of the rail that have room (sections/kernel_table.py).
@@ -30,11 +30,11 @@ def write_rail_at_pose(tables: Tables, pair: Pair) -> bool:
     if end == FULL:
         return False
     pair.rail_arc = CubicTable.at(tables, end)
-    end = write_arcs(tables, end, room, tables.raw, sections.scratch)
+    total, end = write_arcs_at_pose(tables, pair, end)
     if end == FULL:
         return False
     pair.rail_at_arc = CubicTable.at(tables, end)
-    end = write_abscissae(tables, end, room, tables.raw, sections.scratch)
+    end = write_abscissae_at_pose(tables, pair, end, total)
     if end == FULL:
         return False
     scan = pair.scan

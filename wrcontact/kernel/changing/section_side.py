@@ -47,8 +47,10 @@ from .valley import follow_valley
 
 #: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
 BEYOND_OVERLAP: Final[float] = 2e-5
-#: The rail is laid up to this gap [m] at first, and all of it where the wheel may overlap it farther away.
-NEAR: Final[float] = 2e-3
+#: The rail is laid up to gaps of this many times the overlap: what is close to the patch shapes it, too.
+BEYOND_DEPTH: Final[float] = 6.0
+#: At first it is laid up to this gap [m], and all of it where that is not enough or the wheel may overlap it farther away.
+NEAR: Final[float] = 8e-4
 ALL: Final[float] = 1e3
 
 
@@ -161,7 +163,7 @@ def finish_side(tables: Tables, work: Work, index: int, status: int, height: flo
     search = work.section_search
     if not has_one_valley(pair, work.touches[index], search, depth + BEYOND_OVERLAP):
         return NOT_CONVERGED, True
-    return status, covers(pair.sections, search.low, search.high)
+    return status, covers(pair.sections, search.low, search.high, depth)
 
 
 def has_strips(tables: Tables) -> bool:
@@ -169,10 +171,12 @@ def has_strips(tables: Tables) -> bool:
     return tables.tangential != TANGENTIAL_NONE or has_wear(tables)
 
 
-def covers(sections: Sections, low: float, high: float) -> bool:
-    """Whether the rail that is laid reaches from the wheel abscissa ``low`` to ``high`` [m], or to its own ends."""
-    short = sections.cut_first and sections.nodes[sections.first].wheel > low
-    return not short and not (sections.cut_last and sections.nodes[sections.last].wheel < high)
+def covers(sections: Sections, low: float, high: float, depth: float) -> bool:
+    """Whether the rail that is laid reaches from the wheel abscissa ``low`` to ``high`` [m] and far beyond the overlap of a
+    wheel that is lowered by ``depth`` [m], or to its own ends."""
+    near = sections.far < BEYOND_DEPTH * depth
+    short = sections.cut_first and (near or sections.nodes[sections.first].wheel > low)
+    return not short and not (sections.cut_last and (near or sections.nodes[sections.last].wheel < high))
 
 
 def turn_point(pair: Pair, work: Work, index: int, height: float):

@@ -16,7 +16,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.circle import atan2, sine_cosine
-from ..layout import Pair, Place, SectionFrame, SectionTouch, ValleyNode
+from ..layout import Pair, Place, SectionFrame, Sections, SectionTouch, ValleyNode
 from ..sections.section_surface import break_below, clamped_position, cubic_jet, line_below
 from ..surface.curvature import effective_curvature
 from ..surface.locus import around_wheel, outline_jet
@@ -37,6 +37,8 @@ WHEEL_ITERATIONS: Final[int] = 20
 LONGEST_MOVE: Final[float] = 0.02
 #: Least distance of two nodes [m].
 APART: Final[float] = 1e-7
+#: The rail is laid this far to both sides of where the wheel touches at least [m]: some nodes of the wheel's raster.
+LEAST_REACH: Final[float] = 5e-3
 #: Least share of the outline's way across in that of the wheel's abscissa [-]: farther on it folds back.
 LEAST_STRETCH: Final[float] = 0.02
 #: Least share of the wheel's curvature that is left to the gap along the frame [-]; less is a second contact along it.
@@ -316,9 +318,39 @@ def follow_valley(pair: Pair, place: Place, touch: SectionTouch, position: float
     interval = break_below(sections.breaks, sections.interval_count, at)
     first = interval * sections.knot_count
     below = line_below(sections, first, at - sections.breaks[interval], touch.rail_y - sections.lateral)
+    sections.far = far
     sections.cut_first = follow_side(pair, place, touch, position, far, below, -1)
     sections.cut_last = follow_side(pair, place, touch, position, far, below + 1, 1)
-    return sections.first <= below and sections.last > below
+    if not (sections.first <= below and sections.last > below):
+        return False
+    measure_section(pair, position, at)
+    return True
+
+
+def measure_section(pair: Pair, position: float, at: float):
+    """How far the section at the position ``at`` [m], of which a part is laid, reaches in the frame, and how long it is."""
+    sections = pair.sections
+    last = sections.knot_count - 1
+    interval = break_below(sections.breaks, sections.interval_count, at)
+    share = (at - sections.breaks[interval]) / (sections.breaks[interval + 1] - sections.breaks[interval])
+    sections.arc_start = sections.nodes[sections.first].y
+    sections.arc_before = 0.0
+    if sections.cut_first:
+        x, y, z, rise, lean, x_u = line_point(pair, sections.frame, position, 0, at)
+        sections.arc_start = y
+        sections.arc_before = arc_of_line(sections, interval, share, sections.first)
+    sections.arc_stop = sections.nodes[sections.last].y
+    if sections.cut_last:
+        x, y, z, rise, lean, x_u = line_point(pair, sections.frame, position, last, at)
+        sections.arc_stop = y
+    sections.arc_total = arc_of_line(sections, interval, share, last)
+
+
+def arc_of_line(sections: Sections, interval: int, share: float, line: int):
+    """How long the section is up to a line [m], at a ``share`` of an interval."""
+    before = sections.arcs[interval * sections.knot_count + line]
+    behind = sections.arcs[(interval + 1) * sections.knot_count + line]
+    return before + share * (behind - before)
 
 
 def follow_side(
@@ -350,7 +382,8 @@ def follow_side(
             break
         last = line
         line += step
-        if line != end and sections.nodes[last].gap > far:
+        away = float(step) * (sections.nodes[last].wheel - touch.y)
+        if line != end and sections.nodes[last].gap > far and away > LEAST_REACH:
             cut = True
             break
     if step > 0:

@@ -111,6 +111,7 @@ class Sections:
     cells: To(
         SectionCells
     )  # of single cells, a row across for each one along; then of LEVEL_RATIO cells, ...
+    arcs: To(SectionBreaks)  # how long the section is from its first line to each at each break [m]
     top: float  # height of the highest place [m]
     least_lean: float  # over the whole surface [-]
     most_lean: float
@@ -122,6 +123,11 @@ class Sections:
     last: int
     cut_first: bool  # whether the places beyond are not followed, though there is a rail
     cut_last: bool
+    far: float  # the gap up to which it is laid [m]
+    arc_start: float  # where the section begins and ends in the frame [m],
+    arc_stop: float
+    arc_before: float  # how long it is before the first node, later before the first cell of its arcs [m],
+    arc_total: float  # and all of it
     frame: SectionFrame
     nodes: To(ValleyNodes)
 
