@@ -639,7 +639,7 @@ static const int64_t layout__STARTS_COUNT = INT64_C(0);
 static const int64_t layout__STARTS_FIRST_SHIFT = INT64_C(1);
 static const int64_t layout__STARTS_PER_METRE = INT64_C(2);
 static const int64_t layout__STARTS_ROWS = INT64_C(3);
-static const int64_t layout__SECTIONS_SIZE = INT64_C(38);
+static const int64_t layout__SECTIONS_SIZE = INT64_C(44);
 static const int64_t layout__SECTIONS_INTERVAL_COUNT = INT64_C(0);
 static const int64_t layout__SECTIONS_KNOT_COUNT = INT64_C(1);
 static const int64_t layout__SECTIONS_BREAKS = INT64_C(2);
@@ -651,18 +651,24 @@ static const int64_t layout__SECTIONS_ACROSS_START = INT64_C(7);
 static const int64_t layout__SECTIONS_ACROSS_STOP = INT64_C(8);
 static const int64_t layout__SECTIONS_ACROSS_PER_METRE = INT64_C(9);
 static const int64_t layout__SECTIONS_CELLS = INT64_C(10);
-static const int64_t layout__SECTIONS_TOP = INT64_C(11);
-static const int64_t layout__SECTIONS_LEAST_LEAN = INT64_C(12);
-static const int64_t layout__SECTIONS_MOST_LEAN = INT64_C(13);
-static const int64_t layout__SECTIONS_LATERAL = INT64_C(14);
-static const int64_t layout__SECTIONS_ROOM = INT64_C(15);
-static const int64_t layout__SECTIONS_SCRATCH = INT64_C(16);
-static const int64_t layout__SECTIONS_FIRST = INT64_C(17);
-static const int64_t layout__SECTIONS_LAST = INT64_C(18);
-static const int64_t layout__SECTIONS_CUT_FIRST = INT64_C(19);
-static const int64_t layout__SECTIONS_CUT_LAST = INT64_C(20);
-static const int64_t layout__SECTIONS_FRAME = INT64_C(21);
-static const int64_t layout__SECTIONS_NODES = INT64_C(37);
+static const int64_t layout__SECTIONS_ARCS = INT64_C(11);
+static const int64_t layout__SECTIONS_TOP = INT64_C(12);
+static const int64_t layout__SECTIONS_LEAST_LEAN = INT64_C(13);
+static const int64_t layout__SECTIONS_MOST_LEAN = INT64_C(14);
+static const int64_t layout__SECTIONS_LATERAL = INT64_C(15);
+static const int64_t layout__SECTIONS_ROOM = INT64_C(16);
+static const int64_t layout__SECTIONS_SCRATCH = INT64_C(17);
+static const int64_t layout__SECTIONS_FIRST = INT64_C(18);
+static const int64_t layout__SECTIONS_LAST = INT64_C(19);
+static const int64_t layout__SECTIONS_CUT_FIRST = INT64_C(20);
+static const int64_t layout__SECTIONS_CUT_LAST = INT64_C(21);
+static const int64_t layout__SECTIONS_FAR = INT64_C(22);
+static const int64_t layout__SECTIONS_ARC_START = INT64_C(23);
+static const int64_t layout__SECTIONS_ARC_STOP = INT64_C(24);
+static const int64_t layout__SECTIONS_ARC_BEFORE = INT64_C(25);
+static const int64_t layout__SECTIONS_ARC_TOTAL = INT64_C(26);
+static const int64_t layout__SECTIONS_FRAME = INT64_C(27);
+static const int64_t layout__SECTIONS_NODES = INT64_C(43);
 static const int64_t layout__SECTION_SEARCH_SIZE = INT64_C(2162);
 static const int64_t layout__SECTION_SEARCH_PLACE = INT64_C(0);
 static const int64_t layout__SECTION_SEARCH_POSITION = INT64_C(31);
@@ -2171,6 +2177,16 @@ static const double prepare_zones__MEETING = 0.0001;
 static const double prepare_zones__SAME_END = 1e-09;
 static const double prepare_zones__NO_FACE = -1e+300;
 
+/* changing/arcs_at_pose.py */
+static const double arcs_at_pose__PLACE_1 = 0.5384693101056831;
+static const double arcs_at_pose__PLACE_2 = 0.906179845938664;
+static const double arcs_at_pose__WEIGHT_0 = 0.5688888888888889;
+static const double arcs_at_pose__WEIGHT_1 = 0.4786286704993665;
+static const double arcs_at_pose__WEIGHT_2 = 0.2369268850561891;
+static const double arcs_at_pose__SETTLED_MOVE = 1e-09;
+static const int64_t arcs_at_pose__ABSCISSA_ITERATIONS = INT64_C(20);
+static const double arcs_at_pose__ROUNDED = 1e-06;
+
 /* changing/bounds_at_pose.py */
 static const double bounds_at_pose__BESIDE = 1e-09;
 
@@ -2178,6 +2194,7 @@ static const double bounds_at_pose__BESIDE = 1e-09;
 static const int64_t one_valley__CONVEX_BOXES = INT64_C(400);
 static const double one_valley__TRIMMED = 0.25;
 static const int64_t one_valley__TRIMS = INT64_C(40);
+static const double one_valley__NARROW = 0.0005;
 
 /* changing/rail_at_pose.py */
 static const int64_t rail_at_pose__CELL_LIMIT = INT64_C(400);
@@ -2198,7 +2215,8 @@ static const double section_roll__LEVEL_AROUND = 1e-07;
 
 /* changing/section_side.py */
 static const double section_side__BEYOND_OVERLAP = 2e-05;
-static const double section_side__NEAR = 0.002;
+static const double section_side__BEYOND_DEPTH = 6.0;
+static const double section_side__NEAR = 0.0008;
 static const double section_side__ALL = 1000.0;
 
 /* changing/valley.py */
@@ -2210,6 +2228,7 @@ static const double valley__OPEN = 1000000.0;
 static const int64_t valley__WHEEL_ITERATIONS = INT64_C(20);
 static const double valley__LONGEST_MOVE = 0.02;
 static const double valley__APART = 1e-07;
+static const double valley__LEAST_REACH = 0.005;
 static const double valley__LEAST_STRETCH = 0.02;
 static const double valley__LEAST_LEFT = 0.05;
 
