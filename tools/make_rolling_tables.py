@@ -14,6 +14,7 @@ nodes are kept in rolling_nu025.parts ... until their table is complete, so the 
 import argparse
 import os
 import sys
+from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
@@ -26,7 +27,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from tools.tables import exact_nodes as nodes  # noqa: E402
 from tools.tables.strip_nodes import EXACT  # noqa: E402
-from wrcontact.workers import process_pool, results  # noqa: E402
 
 POISSON_RATIOS = (0.28, 0.25, 0.30)
 
@@ -54,9 +54,9 @@ def make_table(poisson_ratio, workers, folder):
     found = read_parts(parts)
     missing = [line for line in nodes.lines() if line not in found]
     solve = partial(nodes.solve_line, poisson_ratio=poisson_ratio)
-    with parts.open("a") as file, process_pool(workers) as pool:
+    with parts.open("a") as file, ProcessPoolExecutor(workers) as pool:
         file.write("\n")
-        for line, values in results(pool, workers, solve, {line: (line,) for line in missing}):
+        for line, values in zip(missing, pool.map(solve, missing) if workers > 1 else map(solve, missing)):
             found[line] = values
             file.write(" ".join([*map(str, line), *(f"{each:.7g}" for each in values.ravel()), "end\n"]))
             file.flush()

@@ -212,6 +212,7 @@ def test_every_input_and_parameter_has_an_option(run):
         "--right-axle-torque-knm",
         "--rail-time-step",
         "--track-position-mm",
+        "--wheel-rotation-deg",
         *(
             f"--{side}-rail-deflection-{direction}-before-mm"
             for side in ("left", "right")
