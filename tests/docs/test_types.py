@@ -58,7 +58,7 @@ patch = wrcontact.elliptic_patch(6e-3, 4e-3, 8e4)
 creep = wrcontact.creep_forces(patch, friction=0.4, tangential_model=wrcontact.Fastsim(published_spin=1))
 assert_type(creep.moment, float)
 assert_type(wrcontact.creep_forces(state.right.patches[0], 1e-3).x, float)
-profile: wrcontact.Profile = wrcontact.check(system).system.wheel
+profile: wrcontact.Profile | wrcontact.WheelSections = wrcontact.check(system).system.wheel
 swept = wrcontact.sweep(system, {"yaw": np.linspace(0.0, 1e-3, 3)}, ["roll"], "a.zarr", workers=2, speed=10.0)
 between: NDArray[Any] = wrcontact.interpolate(swept, method="cubic")(yaw=0.5e-3)["roll"]
 worst: float = wrcontact.interpolate("a.zarr").errors["roll"].worst

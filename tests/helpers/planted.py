@@ -376,8 +376,8 @@ ERRORS = [
     ),
     Error(
         "turning_normal",
-        "left = slope - TURNED * depth * rail.turns[reach]",
-        "left = slope + TURNED * depth * rail.turns[reach]",
+        "left = slope - TURNED * depth * scan.rail[cell].turns[reach]",
+        "left = slope + TURNED * depth * scan.rail[cell].turns[reach]",
         "what a turning normal takes from the slope of an overlap is added to it",
         "contact/test_turning_cells.py",
     ),

@@ -42,14 +42,20 @@ def system_of(wheel):
 ECCENTRIC = WheelSections.eccentric(CYLINDER, OFFSET)
 
 
-@pytest.mark.parametrize("chi", [0.0, 0.3, 1.5, 3.1, -2.0, 7.0, 1000.0])
+@pytest.mark.parametrize("chi", [0.3, 3.1, -2.0, 1000.0])
 def test_an_eccentric_wheel_stands_on_its_circle(chi):
     down, ahead = drop(ECCENTRIC, chi)
     assert down == pytest.approx(-OFFSET * cos(chi), abs=1e-11)
     assert ahead == pytest.approx(-OFFSET * sin(chi), abs=1e-8)
 
 
-@pytest.mark.parametrize("order, amplitude, phase", [(1, 5e-4, 0.4), (3, 3e-4, 0.0), (20, 1e-4, -0.1)])
+@pytest.mark.parametrize(
+    "order, amplitude, phase",
+    [
+        (3, 3e-4, 0.2),
+        *(pytest.param(*one, marks=pytest.mark.full) for one in ((1, 5e-4, 0.4), (20, 1e-4, -0.1))),
+    ],
+)
 def test_a_polygon_stands_on_its_lowest_place(order, amplitude, phase):
     """The greatest r cos(phi), where tan(phi) = r' / r: by Newton's method from the first order, phi = r' / r."""
     wheel = WheelSections.polygon(CYLINDER, order, amplitude, phase)
@@ -123,7 +129,7 @@ SHAPES = {
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.full)])
 def test_touching_height_and_roll_are_those_of_grids(shape, seed):
     """Random poses with yaw: both wheels of a rigid wheelset touch where grids have them."""
     rng = np.random.default_rng(4230 + seed)
@@ -141,7 +147,9 @@ def test_touching_height_and_roll_are_those_of_grids(shape, seed):
     assert np.abs(gaps).max() < 2e-9, (pose, gaps)
 
 
-@pytest.mark.parametrize("degrees", [-2.4, -1.15, 1.7])
+@pytest.mark.parametrize(
+    "degrees", [-1.15, *(pytest.param(one, marks=pytest.mark.full) for one in (-2.4, 1.7))]
+)
 def test_a_flat_of_a_real_profile_stands_where_grids_have_it(degrees):
     """A fresh flat follows the profile; at -1.15 degrees a rounded one is nearly as hollow as the wheel is round."""
     chi, half = np.radians(degrees), asin(0.5 * LENGTH / RADIUS)
@@ -168,7 +176,9 @@ def beside(model):
     )
 
 
-@pytest.mark.parametrize("model", ["hertz", "analyn", "analyn_strip"])
+@pytest.mark.parametrize(
+    "model", [*(pytest.param(one, marks=pytest.mark.full) for one in ("hertz", "analyn")), "analyn_strip"]
+)
 def test_an_eccentric_wheel_is_a_round_one_about_its_centre(model):
     """Loads, patches and places are those of the round wheelset whose centre is at that of the circles."""
     eccentric, whole, rigid = beside(model)
@@ -332,7 +342,7 @@ def test_one_wheel_of_two_and_a_changing_rail():
     assert over.vertical_shift == pytest.approx(both.vertical_shift, abs=1e-11)
 
 
-ANGLES = np.linspace(-pi, pi, 41)
+ANGLES = np.linspace(-0.75, 0.75, 11)
 
 
 @cache
@@ -347,7 +357,7 @@ def cylinders():
 def test_sections_of_a_wheel_are_those_of_its_shape():
     """Splines over slices 9 degrees apart are within a ten-thousandth of a wave of order 2."""
     wheels = WheelSections.polygon(CYLINDER, 2, 2e-4), cylinders()
-    found = [system_of(one).evaluate(wheel_rotation=1.1).vertical_shift for one in wheels]
+    found = [system_of(one).evaluate(wheel_rotation=0.3).vertical_shift for one in wheels]
     assert found[1] == pytest.approx(found[0], abs=2e-8)
 
 
@@ -371,15 +381,15 @@ def write_wheel(folder, ending):
     return path
 
 
-@pytest.mark.parametrize("ending", ["slcw", "toml"])
+@pytest.mark.parametrize("ending", ["slcw", pytest.param("toml", marks=pytest.mark.full)])
 def test_files_are_read(tmp_path, ending):
     """As the same sections in Python; their path is a wheel, too."""
     if ending == "toml":
         pytest.importorskip("tomllib", reason="Python reads TOML from version 3.11")
     path = write_wheel(tmp_path, ending)
-    expected = system_of(cylinders()).evaluate(wheel_rotation=1.1)
+    expected = system_of(cylinders()).evaluate(wheel_rotation=0.3)
     for wheel in (path, str(path), WheelSections.from_file(path)):
-        found = ContactSystem(wheel=wheel, rail_inclination=0.0).evaluate(wheel_rotation=1.1)
+        found = ContactSystem(wheel=wheel, rail_inclination=0.0).evaluate(wheel_rotation=0.3)
         assert found.vertical_shift == pytest.approx(expected.vertical_shift, abs=1e-9)
 
 

@@ -19,8 +19,8 @@ from .surface import BEFORE, BEHIND, HEIGHT, PLACE, SLOPE
 ALONG, MOST_ALONG = 5e-3, 16
 #: Cells across the track [m], and how far they go beyond the ends of sections.
 ACROSS, MARGIN = 5e-4, 5e-3
-#: Cells across a wheel [m].
-WHEEL_ACROSS = 1e-2
+#: Cells across a wheel [m]; and so many of its samples are taken at a time.
+WHEEL_ACROSS, MANY = 1e-2, 200_000
 #: Samples along a cell, and where they are across between two lines of the surface.
 SAMPLES_ALONG, SHARES = 7, np.linspace(0.0, 1.0, 5)
 #: Shares of their ranges by which bounds are widened, and the least of it: of slopes [-], second derivatives [1/m], and the
@@ -52,18 +52,18 @@ def with_sections(tables, index, surface, lateral):
     return joined
 
 
-def _kept(surface, across=ACROSS):
-    """The table of ``surface``, which is made once."""
+def _kept(surface, wheel=False):
+    """The table of ``surface``, that of a rail or of what a ``wheel`` deviates by, which is made once."""
     table = _TABLES.get(surface)
     if table is None:
-        table = _TABLES[surface] = section_table(surface, across)
+        table = _TABLES[surface] = section_table(surface, wheel)
     return table
 
 
 def with_deviation(tables, index, surface):
     """The kernel's ``tables`` (n,) with a wheel on side ``index`` that deviates from a round one by ``surface``, over angles and
     abscissae."""
-    table = _kept(surface, WHEEL_ACROSS)
+    table = _kept(surface, wheel=True)
     joined = np.concatenate([tables, table])
     pair = layout.Tables.at(joined).pairs[index]
     pair.deviation = len(tables) - layout.offset(pair, joined)
@@ -111,14 +111,16 @@ def with_room(tables, index, lateral):
     return joined
 
 
-def section_table(surface, across=ACROSS):
-    """The table (n,) of a :class:`~wrcontact.sections.surface.Surface`, with cells ``across`` wide [m]."""
-    along, start, cells, top = bounds_of(surface, across)
+def section_table(surface, wheel=False):
+    """The table (n,) of a :class:`~wrcontact.sections.surface.Surface`, that of a rail or of what a ``wheel`` deviates by, which
+    has no arc lengths."""
+    across = WHEEL_ACROSS if wheel else ACROSS
+    along, start, cells, top = bounds_of(surface, across, _column_cells if wheel else _row_cells)
     levels = np.stack(leveled(cells))
     intervals, _, knots, _ = surface.cubics.shape
     order = [PLACE, HEIGHT, SLOPE, BEFORE, BEHIND]
     cubics = np.moveaxis(surface.cubics, 1, -1)[:, :, order]  # (interval, knot, quantity, power)
-    arcs = np.array([surface.arcs(u) for u in surface.breaks])
+    arcs = np.array([] if wheel else [surface.arcs(u) for u in surface.breaks])
     parts = [surface.breaks, cubics.ravel(), along, levels.ravel(), arcs.ravel()]
     places = HEAD + np.cumsum([0, *map(len, parts)])
     table = np.concatenate([np.zeros(HEAD), *parts])
@@ -132,7 +134,38 @@ def section_table(surface, across=ACROSS):
     return table
 
 
-def bounds_of(surface, across=ACROSS):
+def _row_cells(surface, u, start, count, across):
+    """Least and most of what is bounded, each (n, count, CELL / 2), in rows of cells, from samples at positions ``u`` (n, k), and
+    the smallest height."""
+    found = [_sampled(surface, row, start, count, across) for row in u]
+    least, most, highest = zip(*found)
+    return np.stack(least), np.stack(most), min(highest)
+
+
+def _column_cells(surface, u, start, count, across):
+    """As :func:`_row_cells`, of a surface whose lines keep their places: many rows at a time."""
+    places = surface.cubics[0, 0, :, PLACE]
+    between = (places[:-1, None] + np.diff(places)[:, None] * SHARES[:-1]).ravel()
+    y = np.concatenate([[start], between, places[-1:], [start + count * across]])
+    edges = start + across * np.arange(count + 1)
+    first = np.maximum(np.searchsorted(y, edges[:-1], side="right") - 1, 0)
+    last = np.minimum(np.searchsorted(y, edges[1:], side="left"), len(y) - 1)
+    least, most = np.empty((2, len(u), count, CELL // 2))
+    highest, step = np.inf, max(1, MANY // (u.shape[1] * len(y)))
+    for row in range(0, len(u), step):
+        jet = surface.jet(u[row : row + step, :, None], y)
+        values = np.stack(
+            [jet[1], jet[2], *jet[3:6], -jet[1] / np.sqrt(1.0 + jet[1] ** 2 + jet[2] ** 2)], axis=-1
+        )
+        low, high = values.min(axis=1), values.max(axis=1)
+        for cell, (a, b) in enumerate(zip(first, last)):
+            least[row : row + step, cell] = low[:, a : b + 1].min(axis=1)
+            most[row : row + step, cell] = high[:, a : b + 1].max(axis=1)
+        highest = min(highest, jet[0].min())
+    return least, most, highest
+
+
+def bounds_of(surface, across=ACROSS, cells_of=_row_cells):
     """Breaks of cells along the track (a + 1,) and where those across begin [m], the cells (a, b, CELL), and the height of
     the highest place [m]."""
     lengths = np.diff(surface.breaks)
@@ -150,12 +183,9 @@ def bounds_of(surface, across=ACROSS):
     first, last = surface.edges(u)
     start = first.min() - MARGIN
     count = int(np.ceil((last.max() + MARGIN - start) / across))
-    cells, top = np.empty((len(u), count, CELL)), np.inf
-    for k, row in enumerate(u):
-        least, most, highest = _sampled(surface, row, start, count, across)
-        wider = WIDENED * (most - least) + LEAST
-        cells[k, :, 0::2], cells[k, :, 1::2] = least - wider, most + wider
-        top = min(top, highest)
+    least, most, top = cells_of(surface, u, start, count, across)
+    wider = WIDENED * (most - least) + LEAST
+    cells = np.stack([least - wider, most + wider], axis=-1).reshape(len(u), count, CELL)
     return along, start, cells, float(top) - HIGHER
 
 

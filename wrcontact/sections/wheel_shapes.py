@@ -17,8 +17,8 @@ BEYOND = 0.4
 END = math.pi + BEYOND
 #: Slices for each wave of a polygon, each turn of an eccentric wheel, over a flat, and over each of its edges.
 WAVE, TURN, FLAT, EDGE = 120, 360, 321, 33
-#: Distance of lines where a deviation hardly follows the profile, and where it does [m].
-APART, FINE = 8e-3, 5e-4
+#: Distance of lines where a deviation hardly follows the profile, at a flat, and where it is that of sections [m].
+APART, FLAT_APART, FINE = 8e-3, 2e-3, 5e-4
 #: Slices of a flat reach so far past its edges, as a share of its half-length or of the width of an edge [-].
 PAST = 1.5
 #: Radius at the edges of a fresh flat [m]; it stands 0.14 times this radius, times the square of the half-angle, too low.
@@ -103,7 +103,7 @@ class Flat:
             * steep
             * np.where(x < -1.0, -x, 3.0 / 16.0 - 0.5 * near + 0.375 * near**2 - near**4 / 16.0)
         )
-        y = lines(profile, FINE)
+        y = lines(profile, FLAT_APART)
         z, slope, bend = profile.evaluate(y)
         return theta, y, *(share[:, None] * part for part in (radius + z, slope, bend))
 
