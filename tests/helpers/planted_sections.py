@@ -301,4 +301,12 @@ SECTIONED = [
         ROLLER,
         "wrcontact/sections/roller.py",
     ),
+    (
+        "wheel_lift",
+        "frame.centre[0] + x + move, y, z + lift)",
+        "frame.centre[0] + x + move, y, z)",
+        "patches of wheels that are not round lie where those of the round wheel do",
+        WHEELS,
+        "section_side",
+    ),
 ]

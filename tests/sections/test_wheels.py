@@ -213,6 +213,45 @@ def test_an_eccentric_wheel_is_a_round_one_about_its_centre(model):
                 assert found.contact.y_track == pytest.approx(expected.contact.y_track, abs=1e-6), pose
 
 
+def test_an_eccentric_wheel_on_a_ramp_is_a_round_one_about_its_centre():
+    """Over a rail that rises 1:20 and moves, with yaw: loads, pressures and forces along the track."""
+    u = np.linspace(-0.4, 0.4, 9)
+    ramp = RailSections(u, [RAIL] * 9, places=np.column_stack([0.01 * u, -0.05 * u]))
+    kind = {"rail": ramp, "contact_mode": "compliant", "normal_model": "analyn_strip"}
+    eccentric, whole = ContactSystem(wheel=SHAPES["eccentric"][0], **kind), ContactSystem(wheel=WHEEL, **kind)
+    rigid = ContactSystem(rail=ramp)
+    for at, shift, yaw, chi in ((0.05, 1e-3, 0.01, 1.9), (-0.1, -3e-3, -0.015, -0.8)):
+        touching = rigid.evaluate(track_position=at, lateral_shift=shift, yaw=yaw)
+        roll, height = touching.roll, touching.vertical_shift + 8e-5
+        ahead = np.array([cos(yaw), sin(yaw), 0.0])
+        axle = np.array([-sin(yaw) * cos(roll), cos(yaw) * cos(roll), sin(roll)])
+        offset = -OFFSET * sin(chi) * ahead + OFFSET * cos(chi) * np.cross(ahead, axle)
+        own = eccentric.evaluate(
+            track_position=at - offset[0],
+            lateral_shift=shift - offset[1],
+            yaw=yaw,
+            roll_input=roll,
+            vertical_shift_input=height - offset[2],
+            wheel_rotation=chi,
+        )
+        other = whole.evaluate(
+            track_position=at, lateral_shift=shift, yaw=yaw, roll_input=roll, vertical_shift_input=height
+        )
+        assert own.status == other.status == 0
+        for side in ("left", "right"):
+            found, expected = getattr(own, side), getattr(other, side)
+            assert expected.normal_force > 1e4
+            for name in ("normal_force", "area", "max_pressure"):
+                assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=1e-3), (side, name)
+            assert found.force.x == pytest.approx(expected.force.x, rel=1e-3)
+            assert found.contact.x_track - offset[0] == pytest.approx(expected.contact.x_track, abs=1e-6)
+            places = [
+                np.array([patch.x_track, patch.y_track, patch.z_track])
+                for patch in (found.patches[0], expected.patches[0])
+            ]
+            np.testing.assert_allclose(places[0] - [offset[0], 0.0, 0.0], places[1], rtol=0.0, atol=1e-6)
+
+
 def test_an_eccentric_wheel_rolls_as_a_round_one_about_its_centre():
     """Loads with damping, creep forces and powers of the round wheelset whose centre moves as that of the circles does; creepages
     refer to the speeds of the centre and of the axle."""

@@ -4,8 +4,8 @@ from ..layout import Sections
 
 
 def valley_at(sections: Sections, y: float):
-    """How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
-    the place ``y`` [m] across it."""
+    """How far the nearest place lies ahead of the outline [m], the slope of both surfaces along the frame [-] there, and how much
+    lower than at the outline both are [m], at the place ``y`` [m] across it."""
     low = sections.first
     high = sections.last
     while high - low > 1:
@@ -20,4 +20,5 @@ def valley_at(sections: Sections, y: float):
     return (
         before.move + share * (behind.move - before.move),
         before.rise + share * (behind.rise - before.rise),
+        before.lift + share * (behind.lift - before.lift),
     )

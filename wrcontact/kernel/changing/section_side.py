@@ -185,12 +185,12 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
     point = side.point
     place = work.touches[index].place
     sections = pair.sections
-    move, rise = valley_at(sections, point.y_track)
+    move, rise, lift = valley_at(sections, point.y_track)
     x, y, z = point_in_track(
         sections.frame,
         sections.frame.centre[0] + point.x_track + move,
         point.y_track,
-        point.z_track,
+        point.z_track + lift,
     )
     z, z_u, z_y, z_uu, z_uy, z_yy = section_jet(
         sections, work.inputs.track_position + x, y - sections.lateral
@@ -207,7 +207,7 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
         z_frame,
     )
     if pair.out_of_round:
-        d, rate = deviation_at(pair, side.place, point.x_track + move, point.y_track, point.z_track)
+        d, rate = deviation_at(pair, side.place, point.x_track + move, point.y_track, point.z_track + lift)
         point.rolling_radius += d
         wheel_x += sections.frame.along[0] * move
         wheel_y += sections.frame.along[1] * move
@@ -222,13 +222,14 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
 
 def lean(pair: Pair, touch: SectionTouch, at: Leaning, x: float, y: float, z: float):
     """Note the place ``x``, ``y``, ``z`` of the constant rail, x from the wheelset's centre, as that of a contact in the track;
-    how far it moves along the frame from the wheel's outline [m], and the slope of both surfaces along the frame there [-]."""
+    how far it moves along the frame from the wheel's outline [m], the slope of both surfaces along the frame there [-], and how much
+    lower both are there [m]."""
     frame = pair.sections.frame
-    move, rise = valley_at(pair.sections, y)
-    at.x, at.y, at.z = point_in_track(frame, frame.centre[0] + x + move, y, z)
+    move, rise, lift = valley_at(pair.sections, y)
+    at.x, at.y, at.z = point_in_track(frame, frame.centre[0] + x + move, y, z + lift)
     at.y += touch.place.rail_lateral
     at.z += touch.place.rail_vertical
-    return move, rise
+    return move, rise, lift
 
 
 def lean_plane(frame: SectionFrame, at: Leaning, x: float, y: float, z: float):
@@ -288,12 +289,12 @@ def lean_strips(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, 
     for k in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[k]
         at = leaning.strips[k]
-        move, rise = lean(pair, touch, at, patch.x_track + strip.x, strip.y_track, strip.z_track)
+        move, rise, lift = lean(pair, touch, at, patch.x_track + strip.x, strip.y_track, strip.z_track)
         lean_plane(frame, at, rise * strip.cos, strip.sin, -strip.cos)
         strip.rolling_radius += radius_change(touch, frame, at, move)
         if pair.out_of_round:
             d, rate = deviation_at(
-                pair, side.place, patch.x_track + strip.x + move, strip.y_track, strip.z_track
+                pair, side.place, patch.x_track + strip.x + move, strip.y_track, strip.z_track + lift
             )
             strip.rolling_radius += d
 
@@ -304,7 +305,7 @@ def turn_patch(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, l
     frame = pair.sections.frame
     at = leaning.own
     # the force acts at the nearest place along the rail, along the normal there, which leans as both surfaces do
-    move, rise = lean(pair, touch, at, patch.x_track, patch.y_track, patch.z_track)
+    move, rise, lift = lean(pair, touch, at, patch.x_track, patch.y_track, patch.z_track)
     along = -rise * patch.normal_z
     square = patch.normal_y * patch.normal_y + patch.normal_z * patch.normal_z
     share = 1.0
@@ -314,14 +315,16 @@ def turn_patch(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, l
         patch.rolling_radius += radius_change(touch, frame, at, move)
         at.swelling = 0.0
         if pair.out_of_round:
-            d, rate = deviation_at(pair, side.place, patch.x_track + move, patch.y_track, patch.z_track)
+            d, rate = deviation_at(
+                pair, side.place, patch.x_track + move, patch.y_track, patch.z_track + lift
+            )
             patch.rolling_radius += d
             at.swelling = rate * into_rail(touch.place, at)
     x, y, z = into_track(frame, share * along, share * patch.normal_y, share * patch.normal_z)
     moment_x, moment_y, moment_z = into_track(
         frame,
-        share * patch.normal_moment[0],
-        share * (patch.normal_moment[1] - move * patch.normal_z + patch.z_track * along),
+        share * (patch.normal_moment[0] - lift * patch.normal_y),
+        share * (patch.normal_moment[1] - move * patch.normal_z + (patch.z_track + lift) * along),
         share * (patch.normal_moment[2] + move * patch.normal_y - patch.y_track * along),
     )
     at_x, at_y, at_z = point_in_track(frame, frame.centre[0], 0.0, 0.0)

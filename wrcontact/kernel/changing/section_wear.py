@@ -20,7 +20,7 @@ def turn_wear(pair: Pair, work: Work, index: int):
         leaning = work.leaning[leaning_place(index, number)]
         worn = side.worn[number]
         for k in range(ROLLING_STRIP_LIMIT):
-            move, rise = valley_at(pair.sections, worn.rail_place[k])
+            move, rise, lift = valley_at(pair.sections, worn.rail_place[k])
             worn.rail_place[k] = leaning.strips[k].y - lateral
             worn.wheel_place[k] += abscissa_change(side, move)
 
@@ -32,9 +32,11 @@ def turn_station(pair: Pair, side: SideSearch, j: int):
     frame = pair.sections.frame
     wheel = side.wear.numbers[j]
     across = side.wear.numbers[stations + j]
-    move, rise = valley_at(pair.sections, across)
+    move, rise, lift = valley_at(pair.sections, across)
     z, slope = height_slope(pair.rail, across)
-    x, y, down = point_in_track(frame, frame.centre[0] + outline_x(pair, side.place, wheel) + move, across, z)
+    x, y, down = point_in_track(
+        frame, frame.centre[0] + outline_x(pair, side.place, wheel) + move, across, z + lift
+    )
     side.wear.numbers[j] = wheel + abscissa_change(side, move)
     side.wear.numbers[stations + j] = y - pair.sections.lateral
 

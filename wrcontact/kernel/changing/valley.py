@@ -305,6 +305,7 @@ def follow_line(
     node.slope = rise + (outline_slope - aside)
     node.wheel = outline
     node.move = x - frame.centre[0] - (place.cos_yaw * r * sine - place.sin_yaw * level)
+    node.lift = height - z_track
     node.rise = lean
     node.bend = along / sqrt(1.0 + rise * rise)
     return True, u, y, angle

@@ -18,7 +18,7 @@ static inline int64_t bounds_at_pose__widen_cell(array_double_1d tables, int64_t
 static inline int64_t bounds_at_pose__write_stretches(array_double_1d tables, int64_t scan);
 
 /* changing/nearest_places.py */
-static inline void nearest_places__valley_at(double* out_0, double* out_1, array_double_1d tables, int64_t sections, double y);
+static inline void nearest_places__valley_at(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t sections, double y);
 
 /* changing/one_valley.py */
 static inline bool one_valley__has_one_valley(array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, double depth);
@@ -90,7 +90,7 @@ static inline void section_side__finish_side(int64_t* status_out, bool* out_1, a
 static inline bool section_side__has_strips(array_double_1d tables);
 static inline bool section_side__covers(array_double_1d tables, int64_t sections, double low, double high, double depth);
 static inline int64_t section_side__turn_point(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index, double height);
-static inline void section_side__lean(double* move_out, double* rise_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t at, double x, double y, double z);
+static inline void section_side__lean(double* move_out, double* rise_out, double* lift_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t at, double x, double y, double z);
 static inline int64_t section_side__lean_plane(array_double_1d tables, array_double_1d work, int64_t frame, int64_t at, double x, double y, double z);
 static inline double section_side__radius_change(array_double_1d tables, array_double_1d work, int64_t touch, int64_t frame, int64_t at, double move);
 static inline void section_side__deviation_at(double* d_out, double* d_f_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double x, double y, double z);
@@ -464,10 +464,10 @@ static inline int64_t bounds_at_pose__write_stretches(array_double_1d tables, in
  * Where a wheel is nearest to its rail along the frame, between the nodes of a pose.
  */
 
-/* How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
- * the place ``y`` [m] across it.
+/* How far the nearest place lies ahead of the outline [m], the slope of both surfaces along the frame [-] there, and how much
+ * lower than at the outline both are [m], at the place ``y`` [m] across it.
  */
-static inline void nearest_places__valley_at(double* out_0, double* out_1, array_double_1d tables, int64_t sections, double y)
+static inline void nearest_places__valley_at(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t sections, double y)
 {
     int64_t low, high, middle, before, behind;
     double share;
@@ -490,6 +490,7 @@ static inline void nearest_places__valley_at(double* out_0, double* out_1, array
     share = double_min(double_max((y - AT(tables, before + layout__VALLEY_NODE_Y)) / (AT(tables, behind + layout__VALLEY_NODE_Y) - AT(tables, before + layout__VALLEY_NODE_Y)), 0.0), 1.0);
     *out_0 = AT(tables, before + layout__VALLEY_NODE_MOVE) + share * (AT(tables, behind + layout__VALLEY_NODE_MOVE) - AT(tables, before + layout__VALLEY_NODE_MOVE));
     *out_1 = AT(tables, before + layout__VALLEY_NODE_RISE) + share * (AT(tables, behind + layout__VALLEY_NODE_RISE) - AT(tables, before + layout__VALLEY_NODE_RISE));
+    *out_2 = AT(tables, before + layout__VALLEY_NODE_LIFT) + share * (AT(tables, behind + layout__VALLEY_NODE_LIFT) - AT(tables, before + layout__VALLEY_NODE_LIFT));
 }
 
 
@@ -1857,13 +1858,13 @@ static inline bool section_side__covers(array_double_1d tables, int64_t sections
 static inline int64_t section_side__turn_point(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index, double height)
 {
     int64_t side, point, place, sections;
-    double move, rise, x, y, z, z_u, z_y, z_uu, z_uy, z_yy, wheel_z, wheel_slope, y_frame, z_frame, outline_slope, wheel_x, wheel_y, wheel_down, d, rate, r;
+    double move, rise, lift, x, y, z, z_u, z_y, z_uu, z_uy, z_yy, wheel_z, wheel_slope, y_frame, z_frame, outline_slope, wheel_x, wheel_y, wheel_down, d, rate, r;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     point = side + layout__SIDE_SEARCH_POINT;
     place = layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index + layout__SECTION_TOUCH_PLACE;
     sections = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS);
-    nearest_places__valley_at(&move, &rise, tables, sections, AT(work, point + layout__CONTACT_POINT_Y_TRACK));
-    section_frame__point_in_track(&x, &y, &z, tables, sections + layout__SECTIONS_FRAME, AT(tables, sections + layout__SECTIONS_FRAME + layout__SECTION_FRAME_CENTRE + 0) + AT(work, point + layout__CONTACT_POINT_X_TRACK) + move, AT(work, point + layout__CONTACT_POINT_Y_TRACK), AT(work, point + layout__CONTACT_POINT_Z_TRACK));
+    nearest_places__valley_at(&move, &rise, &lift, tables, sections, AT(work, point + layout__CONTACT_POINT_Y_TRACK));
+    section_frame__point_in_track(&x, &y, &z, tables, sections + layout__SECTIONS_FRAME, AT(tables, sections + layout__SECTIONS_FRAME + layout__SECTION_FRAME_CENTRE + 0) + AT(work, point + layout__CONTACT_POINT_X_TRACK) + move, AT(work, point + layout__CONTACT_POINT_Y_TRACK), AT(work, point + layout__CONTACT_POINT_Z_TRACK) + lift);
     section_surface__section_jet(&z, &z_u, &z_y, &z_uu, &z_uy, &z_yy, tables, sections, AT(work, layout__WORK_INPUTS + layout__INPUTS_TRACK_POSITION) + x, y - AT(tables, sections + layout__SECTIONS_LATERAL));
     AT(work, point + layout__CONTACT_POINT_Y_RAIL) = y - AT(tables, sections + layout__SECTIONS_LATERAL);
     AT(work, point + layout__CONTACT_POINT_Z_RAIL) = z;
@@ -1873,7 +1874,7 @@ static inline int64_t section_side__turn_point(array_double_1d tables, int64_t p
     section_frame__point_in_track(&wheel_x, &wheel_y, &wheel_down, tables, sections + layout__SECTIONS_FRAME, AT(tables, sections + layout__SECTIONS_FRAME + layout__SECTION_FRAME_CENTRE + 0) + locus__outline_x(tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__CONTACT_POINT_Y_WHEEL)), y_frame, z_frame);
     if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
     {
-        section_side__deviation_at(&d, &rate, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__CONTACT_POINT_X_TRACK) + move, AT(work, point + layout__CONTACT_POINT_Y_TRACK), AT(work, point + layout__CONTACT_POINT_Z_TRACK));
+        section_side__deviation_at(&d, &rate, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__CONTACT_POINT_X_TRACK) + move, AT(work, point + layout__CONTACT_POINT_Y_TRACK), AT(work, point + layout__CONTACT_POINT_Z_TRACK) + lift);
         AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS) += d;
         wheel_x += AT(tables, sections + layout__SECTIONS_FRAME + layout__SECTION_FRAME_ALONG + 0) * move;
         wheel_y += AT(tables, sections + layout__SECTIONS_FRAME + layout__SECTION_FRAME_ALONG + 1) * move;
@@ -1889,15 +1890,16 @@ static inline int64_t section_side__turn_point(array_double_1d tables, int64_t p
 }
 
 /* Note the place ``x``, ``y``, ``z`` of the constant rail, x from the wheelset's centre, as that of a contact in the track;
- * how far it moves along the frame from the wheel's outline [m], and the slope of both surfaces along the frame there [-].
+ * how far it moves along the frame from the wheel's outline [m], the slope of both surfaces along the frame there [-], and how much
+ * lower both are there [m].
  */
-static inline void section_side__lean(double* move_out, double* rise_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t at, double x, double y, double z)
+static inline void section_side__lean(double* move_out, double* rise_out, double* lift_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t at, double x, double y, double z)
 {
     int64_t frame;
-    double move, rise, kept, kept_2, kept_3;
+    double move, rise, lift, kept, kept_2, kept_3;
     frame = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_FRAME;
-    nearest_places__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), y);
-    section_frame__point_in_track(&kept, &kept_2, &kept_3, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) + x + move, y, z);
+    nearest_places__valley_at(&move, &rise, &lift, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), y);
+    section_frame__point_in_track(&kept, &kept_2, &kept_3, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) + x + move, y, z + lift);
     AT(work, at + layout__LEANING_X) = kept;
     AT(work, at + layout__LEANING_Y) = kept_2;
     AT(work, at + layout__LEANING_Z) = kept_3;
@@ -1905,6 +1907,7 @@ static inline void section_side__lean(double* move_out, double* rise_out, array_
     AT(work, at + layout__LEANING_Z) += AT(work, touch + layout__SECTION_TOUCH_PLACE + layout__PLACE_RAIL_VERTICAL);
     *move_out = move;
     *rise_out = rise;
+    *lift_out = lift;
 }
 
 /* Note the plane of a contact whose normal from the rail to the wheel has this direction in the frame [any unit]. */
@@ -1976,19 +1979,19 @@ static inline double section_side__into_rail(array_double_1d work, int64_t place
 static inline int64_t section_side__lean_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t side, int64_t number, int64_t leaning)
 {
     int64_t patch, frame, k, strip, at;
-    double move, rise, d, rate;
+    double move, rise, lift, d, rate;
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
     frame = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_FRAME;
     for (k = 0; k < layout__ROLLING_STRIP_LIMIT; k += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * k;
         at = leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * k;
-        section_side__lean(&move, &rise, tables, work, pair, touch, at, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X), AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK));
+        section_side__lean(&move, &rise, &lift, tables, work, pair, touch, at, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X), AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK));
         section_side__lean_plane(tables, work, frame, at, rise * AT(work, strip + layout__ROLLING_STRIP_COS), AT(work, strip + layout__ROLLING_STRIP_SIN), -AT(work, strip + layout__ROLLING_STRIP_COS));
         AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS) += section_side__radius_change(tables, work, touch, frame, at, move);
         if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
         {
-            section_side__deviation_at(&d, &rate, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X) + move, AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK));
+            section_side__deviation_at(&d, &rate, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X) + move, AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) + lift);
             AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS) += d;
         }
     }
@@ -1999,12 +2002,12 @@ static inline int64_t section_side__lean_strips(array_double_1d tables, array_do
 static inline int64_t section_side__turn_patch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t side, int64_t number, int64_t leaning)
 {
     int64_t patch, frame, at;
-    double move, rise, along, square, share, d, rate, x, y, z, moment_x, moment_y, moment_z, at_x, at_y, at_z;
+    double move, rise, lift, along, square, share, d, rate, x, y, z, moment_x, moment_y, moment_z, at_x, at_y, at_z;
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
     frame = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_FRAME;
     at = leaning + layout__LEANING_PATCH_OWN;
     /* the force acts at the nearest place along the rail, along the normal there, which leans as both surfaces do */
-    section_side__lean(&move, &rise, tables, work, pair, touch, at, AT(work, patch + layout__PATCH_X_TRACK), AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK));
+    section_side__lean(&move, &rise, &lift, tables, work, pair, touch, at, AT(work, patch + layout__PATCH_X_TRACK), AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK));
     along = -rise * AT(work, patch + layout__PATCH_NORMAL_Z);
     square = AT(work, patch + layout__PATCH_NORMAL_Y) * AT(work, patch + layout__PATCH_NORMAL_Y) + AT(work, patch + layout__PATCH_NORMAL_Z) * AT(work, patch + layout__PATCH_NORMAL_Z);
     share = 1.0;
@@ -2016,13 +2019,13 @@ static inline int64_t section_side__turn_patch(array_double_1d tables, array_dou
         AT(work, at + layout__LEANING_SWELLING) = 0.0;
         if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
         {
-            section_side__deviation_at(&d, &rate, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, patch + layout__PATCH_X_TRACK) + move, AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK));
+            section_side__deviation_at(&d, &rate, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, patch + layout__PATCH_X_TRACK) + move, AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK) + lift);
             AT(work, patch + layout__PATCH_ROLLING_RADIUS) += d;
             AT(work, at + layout__LEANING_SWELLING) = rate * section_side__into_rail(work, touch + layout__SECTION_TOUCH_PLACE, at);
         }
     }
     section_frame__into_track(&x, &y, &z, tables, frame, share * along, share * AT(work, patch + layout__PATCH_NORMAL_Y), share * AT(work, patch + layout__PATCH_NORMAL_Z));
-    section_frame__into_track(&moment_x, &moment_y, &moment_z, tables, frame, share * AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0), share * (AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) - move * AT(work, patch + layout__PATCH_NORMAL_Z) + AT(work, patch + layout__PATCH_Z_TRACK) * along), share * (AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) + move * AT(work, patch + layout__PATCH_NORMAL_Y) - AT(work, patch + layout__PATCH_Y_TRACK) * along));
+    section_frame__into_track(&moment_x, &moment_y, &moment_z, tables, frame, share * (AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - lift * AT(work, patch + layout__PATCH_NORMAL_Y)), share * (AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) - move * AT(work, patch + layout__PATCH_NORMAL_Z) + (AT(work, patch + layout__PATCH_Z_TRACK) + lift) * along), share * (AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) + move * AT(work, patch + layout__PATCH_NORMAL_Y) - AT(work, patch + layout__PATCH_Y_TRACK) * along));
     section_frame__point_in_track(&at_x, &at_y, &at_z, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0), 0.0, 0.0);
     at_y += AT(work, touch + layout__SECTION_TOUCH_PLACE + layout__PLACE_RAIL_LATERAL);
     at_z += AT(work, touch + layout__SECTION_TOUCH_PLACE + layout__PLACE_RAIL_VERTICAL);
@@ -2277,7 +2280,7 @@ static inline int64_t section_step__step_changing_many(int64_t count, array_doub
 static OUT_OF_LINE int64_t section_wear__turn_wear(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index)
 {
     int64_t side, j, number, leaning, worn, k, j_end, number_end;
-    double lateral, move, rise;
+    double lateral, move, rise, lift;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     lateral = AT(work, layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index + layout__SECTION_TOUCH_PLACE + layout__PLACE_RAIL_LATERAL) + AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_LATERAL);
     j_end = (int64_t)AT(tables, layout__TABLES_STATIONS);
@@ -2292,7 +2295,7 @@ static OUT_OF_LINE int64_t section_wear__turn_wear(array_double_1d tables, int64
         worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
         for (k = 0; k < layout__ROLLING_STRIP_LIMIT; k += 1)
         {
-            nearest_places__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + k));
+            nearest_places__valley_at(&move, &rise, &lift, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + k));
             AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + k) = AT(work, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * k + layout__LEANING_Y) - lateral;
             AT(work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + k) += section_wear__abscissa_change(work, side, move);
         }
@@ -2304,14 +2307,14 @@ static OUT_OF_LINE int64_t section_wear__turn_wear(array_double_1d tables, int64
 static OUT_OF_LINE int64_t section_wear__turn_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t j)
 {
     int64_t stations, frame;
-    double wheel, across, move, rise, z, slope, x, y, down;
+    double wheel, across, move, rise, lift, z, slope, x, y, down;
     stations = (int64_t)AT(tables, layout__TABLES_STATIONS);
     frame = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_FRAME;
     wheel = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j);
     across = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j));
-    nearest_places__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), across);
+    nearest_places__valley_at(&move, &rise, &lift, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), across);
     tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), across);
-    section_frame__point_in_track(&x, &y, &down, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) + locus__outline_x(tables, work, pair, side + layout__SIDE_SEARCH_PLACE, wheel) + move, across, z);
+    section_frame__point_in_track(&x, &y, &down, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) + locus__outline_x(tables, work, pair, side + layout__SIDE_SEARCH_PLACE, wheel) + move, across, z + lift);
     AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = wheel + section_wear__abscissa_change(work, side, move);
     AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j)) = y - AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_LATERAL);
     return 0;
@@ -2714,6 +2717,7 @@ static inline void valley__follow_line(bool* out_0, double* u_out, double* y_out
     AT(tables, node + layout__VALLEY_NODE_SLOPE) = rise + (outline_slope - aside);
     AT(tables, node + layout__VALLEY_NODE_WHEEL) = outline;
     AT(tables, node + layout__VALLEY_NODE_MOVE) = x - AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) - (AT(work, place + layout__PLACE_COS_YAW) * r * sine - AT(work, place + layout__PLACE_SIN_YAW) * level);
+    AT(tables, node + layout__VALLEY_NODE_LIFT) = height - z_track;
     AT(tables, node + layout__VALLEY_NODE_RISE) = lean;
     AT(tables, node + layout__VALLEY_NODE_BEND) = along / sqrt(1.0 + rise * rise);
     *out_0 = true;

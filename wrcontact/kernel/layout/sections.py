@@ -86,6 +86,7 @@ class ValleyNode:
     gap: float  # of wheel and rail there [m]
     wheel: float  # wheel abscissa of the outline there [m]
     move: float  # how far the nearest place lies ahead of the outline [m]
+    lift: float  # and how much lower the wheel is there [m]
     rise: float  # slope of both surfaces along the frame there [-]
     bend: float  # curvature of the rail along the frame, positive on a crest [1/m]
 
