@@ -240,18 +240,16 @@ SENTENCES = (
 )
 
 
-#: Inputs that have to be zero on rails that change along the track, which FMUs do not have: with the status 4, if none of
-#: the sentences above but the last of that status holds.
+#: Inputs that have to be zero on rails that change along the track, or on rollers, neither of which FMUs have: with the status 4,
+#: if none of the sentences above but the last of that status holds.
 CHANGING = tuple(
-    Sentence(
-        Status.INVALID_INPUT,
-        "nonzero",
-        name,
-        math.nan,
-        f"<{name}> is [{name}]; permitted with a rail that changes along the track is 0",
+    Sentence(Status.INVALID_INPUT, "nonzero", name, math.nan, f"<{name}> is [{name}]; permitted {where} is 0")
+    for endings, where in (
+        (("rail_roll", "rail_roll_velocity"), "with a rail that changes along the track"),
+        (("track_curvature",), "on a roller"),
     )
     for name in INPUT_NAMES
-    if name.endswith(("rail_roll", "rail_roll_velocity"))
+    if name.endswith(endings)
 )
 
 #: Sentences on calls that are refused, of the FMU that runs in Python and of native ones; ``%s`` is a name or a value.

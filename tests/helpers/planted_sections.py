@@ -190,6 +190,14 @@ SECTIONED = [
         "section_side",
     ),
     (
+        "section_roller_curve",
+        "if inputs.track_curvature != 0.0 and (tables.pairs[0].roller > 0.0 or tables.pairs[1].roller > 0.0):",
+        "if inputs.track_curvature != 0.0 and tables.pairs[0].roller > 0.0 and tables.pairs[1].roller > 0.0:",
+        "a curve beside one roller is accepted",
+        ROLLER,
+        "section_step",
+    ),
+    (
         "section_creep_moment",
         "moment_y += part_y + leaning.strips[i].down[1] * spinning",
         "moment_y += part_y - leaning.strips[i].down[1] * spinning",

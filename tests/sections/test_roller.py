@@ -13,6 +13,7 @@ from tests.helpers.sections import moved
 from wrcontact import ContactSystem
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail
+from wrcontact.status import explain
 
 RAIL, WHEEL, ROLLER = standard_profile("UIC60"), standard_profile("S1002"), 0.5
 
@@ -253,6 +254,19 @@ def test_a_large_roller_that_turns_is_the_rail():
 def test_what_is_refused(given, sentence):
     with pytest.raises(ValueError, match=sentence):
         ContactSystem(**given)
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
+def test_a_roller_has_no_curve(mode):
+    """Rails in a curve have two speeds, and rollers turn with one. The next good step counts."""
+    system = ContactSystem(
+        roller_radius=ROLLER, left_roller_radius=0.0, contact_mode=mode, tangential_model="polach"
+    )
+    pose = {"vertical_shift_input": 3e-4} if mode == "compliant" else {}
+    curved = system.evaluate(**pose, speed=10.0, track_curvature=1e-3)
+    assert curved.status == 4 and np.isnan(curved.right.area)
+    assert explain(curved.status, curved.inputs) == "track_curvature is 0.001 1/m; permitted on a roller is 0"
+    assert system.evaluate(**pose, speed=10.0).status == 0
 
 
 def test_the_next_position_is_evaluated_after_one_too_far_ahead():

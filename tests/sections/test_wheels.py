@@ -478,6 +478,10 @@ def test_files_that_are_none_are_refused(tmp_path, text, sentence):
             lambda: ContactSystem(wheel=ECCENTRIC, tangential_model="halfspace"),
             "tangential_model is 'halfspace'; permitted with a wheel that is not round are",
         ),
+        (
+            lambda: ContactSystem(wheel=ECCENTRIC, independent_wheels=True),
+            "independent_wheels is True; permitted with two wheels that are not round is False",
+        ),
     ],
 )
 def test_what_is_refused(make, sentence):

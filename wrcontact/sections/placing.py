@@ -112,6 +112,11 @@ def check_rails(profiles, parameters):
         raise ValueError(
             "contact_mode is 'elastic' on a roller beside a rail that changes along the track; permitted are 'rigid', 'compliant'"
         )
+    if parameters["independent_wheels"] and all(map(is_sections, profiles[::2])):
+        raise ValueError(
+            "independent_wheels is True; permitted with two wheels that are not round is False, since both turn by one "
+            "wheel_rotation"
+        )
     for name in WITHOUT:
         if parameters[name]:
             raise ValueError(

@@ -44,9 +44,12 @@ from .section_side import load_pressed, load_touching
 
 
 def check_section_inputs(tables: Tables, inputs: Inputs):
-    """The status of the inputs: besides what a constant rail forbids, rails that change do not roll."""
+    """The status of the inputs: besides what a constant rail forbids, rails that change do not roll, and rollers have no
+    curve."""
     status = check_inputs(tables, inputs)
     if status == VALID:
+        if inputs.track_curvature != 0.0 and (tables.pairs[0].roller > 0.0 or tables.pairs[1].roller > 0.0):
+            status = INVALID_INPUT
         if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
             status = INVALID_INPUT
         if inputs.left_rail_roll_velocity != 0.0 or inputs.right_rail_roll_velocity != 0.0:

@@ -2065,13 +2065,19 @@ static inline int64_t section_side__turn_angle(array_double_1d work, int64_t pat
  * forces.  The report writes the outputs.
  */
 
-/* The status of the inputs: besides what a constant rail forbids, rails that change do not roll. */
+/* The status of the inputs: besides what a constant rail forbids, rails that change do not roll, and rollers have no
+ * curve.
+ */
 static inline int64_t section_step__check_section_inputs(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
     int64_t status;
     status = input_checks__check_inputs(work, tables, inputs);
     if (status == layout__VALID)
     {
+        if (AT(work, inputs + layout__INPUTS_TRACK_CURVATURE) != 0.0 && (AT(tables, layout__TABLES_PAIRS + layout__PAIR_ROLLER) > 0.0 || AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_ROLLER) > 0.0))
+        {
+            status = layout__INVALID_INPUT;
+        }
         if (AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL) != 0.0)
         {
             status = layout__INVALID_INPUT;
