@@ -366,14 +366,14 @@ class ContactSystem:
 
         Parameters
         ----------
-        inputs : those of :meth:`evaluate` by keyword: lateral_shift, yaw, normal_force, rails.
+        inputs : those of :meth:`evaluate` by keyword: lateral_shift, yaw, normal_force, rails,
+            track_position, wheel_rotation.
 
         Raises
         ------
         ValueError
-            if the contact_mode is not compliant.
+            if the contact_mode is not compliant, or a roller runs beside a rail that changes along the track.
         """
-        refuse_changing(self, "stand_at")
         if self._balancing is None:
             raise ValueError(
                 f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
@@ -516,7 +516,6 @@ class ContactSystem:
     def find_equilibrium(self, inputs: NDArray[Any]) -> Equilibrium:
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
         :class:`~wrcontact.state.Equilibrium`."""
-        refuse_changing(self, "the equilibrium of a compliant wheelset")
         rows = np.atleast_2d(inputs)
         found = self._elastic_twin().evaluate_many(
             outputs=["vertical_shift", "roll"], **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)}

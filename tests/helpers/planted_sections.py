@@ -6,6 +6,14 @@ ROLLING, WHEELS, ROLLER = "sections/test_rolling.py", "sections/test_wheels.py",
 
 SECTIONED = [
     (
+        "section_equilibrium_place",
+        "**{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)}",
+        '**{row.keyword: rows[:, k] for k, row in enumerate(INPUTS) if row.keyword != "track_position"}',
+        "a compliant wheelset's equilibrium is that at position 0",
+        "sections/test_equilibrium.py",
+        "wrcontact/system.py",
+    ),
+    (
         "section_twist_sign",
         "slope_u - b0 * place_u + (by_v_u + by_vv * v_u) * v_y + by_v * v_uy,",
         "slope_u + b0 * place_u + (by_v_u + by_vv * v_u) * v_y + by_v * v_uy,",
