@@ -45,6 +45,56 @@ def _nose(positions):
     )
 
 
+#: How much lower than the level wing the nose is [mm]: S1002 then touches both.
+NOSE_LOW = 1.965
+
+
+def _head(middle, top, radius, walls):
+    """Points (n, 2) [mm] of an arc of this ``radius`` with its highest place at ``middle``, ``top``, between two slopes."""
+    angle = np.linspace(*np.arctan(walls), int(radius * np.ptp(np.arctan(walls)) / 0.25))
+    return np.column_stack([middle + radius * np.sin(angle), top + radius * (1.0 - np.cos(angle))])
+
+
+def _line(start, stop):
+    """Points [mm] on the way between two that are known."""
+    count = int(np.hypot(*np.subtract(stop, start)) / 0.5) + 2
+    return np.linspace(start, stop, count)[1:-1]
+
+
+def crossing_points(nose_y, wing_y, nose_z=NOSE_LOW, wing_z=-1.4, floor=20.0):
+    """Points [m] of a nose and a wing with a groove between: arcs of 7 mm, with walls of slope 3 and 4, and the wing level."""
+    nose, wing = _head(nose_y, nose_z, 7.0, (-3.0, 3.0)), _head(wing_y, wing_z, 7.0, (-4.0, -0.02))
+    foot = [
+        (end[0] + way * (floor - end[1]) / slope, floor)
+        for end, way, slope in ((nose[0], -1.0, 3.0), (nose[-1], 1.0, 3.0), (wing[0], -1.0, 4.0))
+    ]
+    end = wing[-1] + [40.0, -0.8]
+    parts = (
+        [foot[0]],
+        _line(foot[0], nose[0]),
+        nose,
+        _line(nose[-1], foot[1]),
+        [foot[1]],
+        _line(*foot[1:]),
+        [foot[2]],
+        _line(foot[2], wing[0]),
+        wing,
+        _line(wing[-1], end),
+        [end],
+    )
+    return np.concatenate(parts) * 1e-3, np.cumsum([len(part) for part in parts])
+
+
+@cache
+def crossing(nose_rate=0.04, wing_rate=0.09):
+    """A crossing whose nose and wing move to the field side, each by its rate, in slices 20 mm apart."""
+    u = np.arange(-0.16, 0.1601, 0.02)
+    sections = [crossing_points(-24.0 + 1e3 * nose_rate * at, 34.0 + 1e3 * wing_rate * at) for at in u]
+    ways = [np.r_[0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))] for points, ends in sections]
+    features = [way[[0, *(ends[[1, 2, 4, 6, 7, 8]] - 1), -1]] for way, (points, ends) in zip(ways, sections)]
+    return RailSections(u, [points for points, ends in sections], features=features, name="crossing")
+
+
 def moved(positions, rate=0.0, rise=0.0, rail="UIC60"):
     """A standard rail that moves to the field side by ``rate`` and rises by ``rise`` per length."""
     u = np.asarray(positions, dtype=float)

@@ -140,7 +140,8 @@ def write_abscissae_at_pose(tables: Tables, pair: Pair, base: int, total: float)
                 x = piece.stop
                 piece = Piece.at(piece, PIECE_SIZE)
             move = (target - way - piece_arc(piece, x, high)) / piece_speed(piece, high)
-            high += move
+            # not far back behind what is known
+            high = max(high + move, x - step)
             if fabs(move) < SETTLED_MOVE:
                 break
         way = target

@@ -27,6 +27,7 @@ def has_one_valley(pair: Pair, touch: SectionTouch, search: SectionSearch, depth
     search.best = touch.best + depth
     search.low = touch.y
     search.high = touch.y
+    search.on_bridge = False
     first = 0
     while first + 1 < scan.count:
         last = min(first + FIRST_CELLS, scan.count - 1)
@@ -50,7 +51,10 @@ def is_convex_along(pair: Pair, touch: SectionTouch, search: SectionSearch) -> b
         box = search.boxes[waiting]
         if narrow_box(pair, touch.place, search, box):
             if trim_box(pair, touch, search, box):
-                if not search.spread.bend_around > 0.0 or is_wide_beyond(pair.sections, box):
+                wide = box.high - box.low > NARROW
+                beyond = is_beyond(pair.sections, box)
+                over_bridge = is_over_bridge(pair.sections, box)
+                if not search.spread.bend_around > 0.0 or (wide and (beyond or over_bridge)):
                     middle = 0.5 * (box.low + box.high)
                     write_box(search.boxes[waiting + 1], middle, box.high, box.back, box.ahead)
                     box.high = middle
@@ -58,14 +62,26 @@ def is_convex_along(pair: Pair, touch: SectionTouch, search: SectionSearch) -> b
                 else:
                     search.low = min(search.low, box.low)
                     search.high = max(search.high, box.high)
+                    search.on_bridge = search.on_bridge or over_bridge
     return True
 
 
-def is_wide_beyond(sections: Sections, box: SectionBox) -> bool:
-    """Whether a box reaches beyond the rail that is laid, and a narrower one may tell whether the overlap does."""
+def is_beyond(sections: Sections, box: SectionBox) -> bool:
+    """Whether a box reaches beyond the rail that is laid, so that a narrower one may tell whether the overlap does."""
     beyond = sections.cut_first and box.low < sections.nodes[sections.first].wheel
-    beyond = beyond or (sections.cut_last and box.high > sections.nodes[sections.last].wheel)
-    return beyond and box.high - box.low > NARROW
+    return beyond or (sections.cut_last and box.high > sections.nodes[sections.last].wheel)
+
+
+def is_over_bridge(sections: Sections, box: SectionBox) -> bool:
+    """Whether a box reaches between two nodes one of which is that of a bridge."""
+    over = False
+    if sections.bridged:
+        for k in range(sections.first, sections.last):
+            before = sections.nodes[k]
+            behind = sections.nodes[k + 1]
+            if (before.bridge or behind.bridge) and box.low < behind.wheel and box.high > before.wheel:
+                over = True
+    return over
 
 
 def trim_box(pair: Pair, touch: SectionTouch, search: SectionSearch, box: SectionBox) -> bool:

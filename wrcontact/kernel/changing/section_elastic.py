@@ -32,7 +32,9 @@ from ..wheelset.input_checks import is_moving, requested_status, side_force
 from ..wheelset.residuals import DEEPEST, SHALLOWEST
 from ..wheelset.side import load_side, lower_wheel, touch_side
 from .section_roll import find_section_roll, follow_both, touch_both
-from .section_side import ALL, NEAR, find_in_frame, finish_side, lay_rail
+from .bridges import is_oblique
+from .facing_lines import ALL
+from .section_side import NEAR, find_in_frame, finish_side, lay_rail
 
 #: Trials at most.
 SECTION_TRIALS: Final[int] = 40
@@ -127,7 +129,7 @@ def estimate_side(tables: Tables, work: Work, index: int, far: float):
     support.approach = 0.0
     if not side_force(work, index) > 0.0:
         return UNLOADED
-    if not lay_rail(tables, work, index, touch.best, far):
+    if not lay_rail(tables, work, index, touch.best, far, 0.0):
         return NOT_CONVERGED
     if not find_in_frame(tables.pairs[index], work.sides[index], touch.y):
         return NOT_CONVERGED
@@ -149,11 +151,11 @@ def press_side(tables: Tables, work: Work, index: int, height: float, far: float
     support.lever = touch.rate
     if not side_force(work, index) > 0.0:
         support.height = touch.best
-        if not lay_rail(tables, work, index, touch.best, far) or not find_in_frame(pair, side, touch.y):
+        if not lay_rail(tables, work, index, touch.best, far, 0.0) or not find_in_frame(pair, side, touch.y):
             return NOT_CONVERGED
         return touch_side(tables, work, index)
     approach = min(max(height - touch.best, SHALLOWEST * support.approach), DEEPEST)
-    if not lay_rail(tables, work, index, touch.best + approach, far):
+    if not lay_rail(tables, work, index, touch.best + approach, far, 0.0):
         return NOT_CONVERGED
     if not find_in_frame(pair, side, touch.y):
         return NOT_CONVERGED
@@ -180,6 +182,8 @@ def finish_both(tables: Tables, work: Work, status: int, far: float):
             return OFF_PROFILE, True
         side_status, enough = finish_side(tables, work, index, VALID, height, height - touch.best)
         status = max(status, side_status)
+        if side_status == VALID and is_oblique(tables.pairs[index].sections, 0.0):
+            status = NOT_CONVERGED
         covered = covered and enough
     return status, covered or far >= ALL
 

@@ -9,18 +9,16 @@ from math import sqrt
 
 from ..elementary.circle import atan2
 from ..layout import Pair, Place, SectionFrame, SectionTouch
-from ..sections.section_surface import section_ruling
 from ..surface.locus import set_roll
 
 
-def open_section_frame(pair: Pair, touch: SectionTouch, position: float, height: float):
-    """Lay the frame at the place where a wheel is nearest, and the wheelset's centre in it, which stands at the vertical
-    shift ``height`` [m]."""
+def open_section_frame(pair: Pair, touch: SectionTouch, height: float, q: float):
+    """Lay the frame at the place where a wheel is nearest, along the direction with the lateral rate ``q`` [-], and the wheelset's
+    centre in it, which stands at the vertical shift ``height`` [m]."""
     frame = pair.sections.frame
     frame.x = touch.rail_x
     frame.y = touch.rail_y
     frame.z = touch.rail_z
-    q = section_ruling(pair.sections, position + touch.rail_x, touch.rail_y - pair.sections.lateral)
     p = touch.along + q * touch.slope
     level = sqrt(1.0 + q * q)
     size = sqrt(1.0 + q * q + p * p)

@@ -1,7 +1,7 @@
 """One wheel on a rail whose section changes: its contact on the constant rail that this one is at its pose, turned back into
 the track."""
 
-from math import sqrt
+from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.circle import atan, atan2
@@ -28,7 +28,7 @@ from ..layout import (
 )
 from ..search.roll import follow_side
 from ..search.smallest_gap import search_side
-from ..sections.section_surface import section_jet
+from ..sections.section_surface import section_jet, section_ruling
 from ..sections.wheel_radius import within_turn
 from ..surface.locus import outline_point, outline_x
 from ..surface.tables import height_slope
@@ -43,32 +43,48 @@ from .one_valley import has_one_valley
 from .rail_at_pose import write_rail_at_pose
 from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track, wheel_turn
 from .section_wear import turn_wear
-from .valley import follow_valley
+from .bridges import BESIDE, direction_between, is_oblique
+from .facing_lines import ALL, follow_valley
 
-#: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
-BEYOND_OVERLAP: Final[float] = 2e-5
+#: The middle of a patch may lie so far off the rail [m]: it is a mean over a patch that may be round.
+OFF_RAIL: Final[float] = 2e-4
+#: The frame is turned so often, with what is then known of the parts.
+TURNS: Final[int] = 2
 #: The rail is laid up to gaps of this many times the overlap: what is close to the patch shapes it, too.
 BEYOND_DEPTH: Final[float] = 6.0
 #: At first it is laid up to this gap [m], and all of it where that is not enough or the wheel may overlap it farther away.
 NEAR: Final[float] = 8e-4
-ALL: Final[float] = 1e3
 
 
-def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float) -> bool:
+def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float, depth: float) -> bool:
     """Lay the frame of side ``index`` whose wheelset has the vertical shift ``height`` [m], and the constant rail in it, up to
-    gaps of ``far`` [m]; whether there is one."""
+    gaps of ``far`` [m]; whether there is one.  Where parts beyond grooves carry, too, once it is lowered by another ``depth`` [m],
+    the frame lies between their directions."""
     pair = tables.pairs[index]
     touch = work.touches[index]
+    position = work.inputs.track_position
+    q = section_ruling(pair.sections, position + touch.rail_x, touch.rail_y - pair.sections.lateral)
+    if not lay_lines(pair, work, index, height, far, q):
+        return False
+    for turn in range(TURNS):
+        count, between = direction_between(pair.sections, depth)
+        if pair.sections.bridged and count > 1:
+            if not lay_lines(pair, work, index, height, far, between):
+                return False
+    return write_rail_at_pose(tables, pair)
+
+
+def lay_lines(pair: Pair, work: Work, index: int, height: float, far: float, q: float) -> bool:
+    """Lay the frame along the direction with the lateral rate ``q`` [-], and the nodes in it; whether there are any."""
+    touch = work.touches[index]
     side = work.sides[index]
-    open_section_frame(pair, touch, work.inputs.track_position, height)
+    open_section_frame(pair, touch, height, q)
     frame = pair.sections.frame
     place_in_frame(frame, touch.place, side.place)
     frame.turn = 0.0
     if pair.out_of_round:
         frame.turn = within_turn(work.inputs.wheel_rotation) + wheel_turn(frame, touch.place, side.place)
-    if not follow_valley(pair, side.place, touch, work.inputs.track_position, far):
-        return False
-    return write_rail_at_pose(tables, pair)
+    return follow_valley(pair, side.place, touch, work.inputs.track_position, far)
 
 
 def find_in_frame(pair: Pair, side: SideSearch, y: float) -> bool:
@@ -81,20 +97,35 @@ def find_in_frame(pair: Pair, side: SideSearch, y: float) -> bool:
 
 def load_touching(tables: Tables, work: Work, index: int, height: float, force: float):
     """Side ``index`` of a rigid wheelset that touches at the vertical shift ``height`` [m], under a ``force`` [N]; the
-    status.  Only where it may overlap its rail farther away, all of that is laid."""
-    status, covered = load_touching_within(tables, work, index, height, force, NEAR)
+    status.  Only where it may overlap its rail farther away, all of that is laid, and again where parts beyond grooves carry."""
+    sections = tables.pairs[index].sections
+    status, covered = load_touching_within(tables, work, index, height, force, NEAR, 0.0)
     if not covered:
-        status, covered = load_touching_within(tables, work, index, height, force, ALL)
+        status, covered = load_touching_within(tables, work, index, height, force, ALL, 0.0)
+        if covered and status == VALID and sections.bridged:
+            depth = depth_in_track(tables, work, index)
+            status, covered = load_touching_within(tables, work, index, height, force, ALL, depth)
     if not covered:
+        return NOT_CONVERGED
+    if status == VALID and is_oblique(sections, depth_in_track(tables, work, index)):
         return NOT_CONVERGED
     return status
 
 
-def load_touching_within(tables: Tables, work: Work, index: int, height: float, force: float, far: float):
-    """The status of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
+def depth_in_track(tables: Tables, work: Work, index: int):
+    """How far a wheel is lowered [m] that has this penetration."""
+    side = work.sides[index]
+    return side.penetration / work.contact.frame.plane.cos / tables.pairs[index].sections.frame.down[2]
+
+
+def load_touching_within(
+    tables: Tables, work: Work, index: int, height: float, force: float, far: float, depth: float
+):
+    """The status of that with a rail up to gaps of ``far`` [m], laid for an overlap of about ``depth`` [m], and whether the wheel
+    overlaps it nowhere else."""
     pair = tables.pairs[index]
     side = work.sides[index]
-    if not lay_rail(tables, work, index, height, far):
+    if not lay_rail(tables, work, index, height, far, depth):
         return NOT_CONVERGED, True
     if not find_in_frame(pair, side, work.touches[index].y):
         return NOT_CONVERGED, True
@@ -103,8 +134,7 @@ def load_touching_within(tables: Tables, work: Work, index: int, height: float, 
     status = solve_side(tables, work, index, force)
     if status > UNLOADED:
         return status, far >= ALL
-    depth = side.penetration / work.contact.frame.plane.cos / pair.sections.frame.down[2]
-    return finish_side(tables, work, index, status, height, depth)
+    return finish_side(tables, work, index, status, height, depth_in_track(tables, work, index))
 
 
 def load_pressed(tables: Tables, work: Work, index: int, height: float):
@@ -115,6 +145,8 @@ def load_pressed(tables: Tables, work: Work, index: int, height: float):
     if not covered:
         status, covered = load_pressed_within(tables, work, index, height, ALL)
     if not covered:
+        return NOT_CONVERGED
+    if status == VALID and is_oblique(tables.pairs[index].sections, 0.0):
         return NOT_CONVERGED
     if status == VALID and is_damped(tables):
         damp_leaning_patches(tables, work, index)
@@ -128,11 +160,11 @@ def load_pressed_within(tables: Tables, work: Work, index: int, height: float, f
     touch = work.touches[index]
     approach = height - touch.best
     if not approach > GRAZING:
-        if not lay_rail(tables, work, index, touch.best, far) or not find_in_frame(pair, side, touch.y):
+        if not lay_rail(tables, work, index, touch.best, far, 0.0) or not find_in_frame(pair, side, touch.y):
             return NOT_CONVERGED, True
         status = touch_side(tables, work, index)
         return finish_side(tables, work, index, status, touch.best, 0.0)
-    if not lay_rail(tables, work, index, height, far) or not find_in_frame(pair, side, touch.y):
+    if not lay_rail(tables, work, index, height, far, 0.0) or not find_in_frame(pair, side, touch.y):
         return NOT_CONVERGED, True
     # the frame holds for this height
     side.best = -approach * pair.sections.frame.down[2]
@@ -152,18 +184,31 @@ def finish_side(tables: Tables, work: Work, index: int, status: int, height: flo
     if status > UNLOADED:
         return status, True
     turn_point(pair, work, index, height)
+    on_rail = True
     for number in range(side.patch_count):
         leaning = work.leaning[leaning_place(index, number)]
         if has_strips(tables):
             lean_strips(pair, work.touches[index], side, number, leaning)
         turn_patch(pair, work.touches[index], side, number, leaning)
+        on_rail = on_rail and lies_on_rail(pair, work, work.touches[index].place, leaning.own)
     if has_wear(tables) and side.patch_count > 0:
         turn_wear(pair, work, index)
     pair.rail_y = pair.sections.lateral
     search = work.section_search
-    if not has_one_valley(pair, work.touches[index], search, depth + BEYOND_OVERLAP):
+    if not on_rail or not has_one_valley(pair, work.touches[index], search, depth + BESIDE):
         return NOT_CONVERGED, True
-    return status, covers(pair.sections, search.low, search.high, depth)
+    covered = covers(pair.sections, search.low, search.high, depth) and not search.on_bridge
+    return status, covered
+
+
+def lies_on_rail(pair: Pair, work: Work, place: Place, at: Leaning) -> bool:
+    """Whether a patch of the constant rail lies on the changing one: between two nodes, such as those of a bridge, that may be
+    another one."""
+    sections = pair.sections
+    z, z_u, z_y, z_uu, z_uy, z_yy = section_jet(
+        sections, work.inputs.track_position + at.x, at.y - place.rail_lateral - sections.lateral
+    )
+    return fabs(z + place.rail_vertical - at.z) < OFF_RAIL * sqrt(1.0 + z_u * z_u + z_y * z_y)
 
 
 def has_strips(tables: Tables) -> bool:

@@ -37,8 +37,6 @@ WHEEL_ITERATIONS: Final[int] = 20
 LONGEST_MOVE: Final[float] = 0.02
 #: Least distance of two nodes [m].
 APART: Final[float] = 1e-7
-#: The rail is laid this far to both sides of where the wheel touches at least [m]: some nodes of the wheel's raster.
-LEAST_REACH: Final[float] = 5e-3
 #: Least share of the outline's way across in that of the wheel's abscissa [-]: farther on it folds back.
 LEAST_STRETCH: Final[float] = 0.02
 #: Least share of the wheel's curvature that is left to the gap along the frame [-]; less is a second contact along it.
@@ -164,6 +162,17 @@ def line_point(pair: Pair, frame: SectionFrame, position: float, line: int, u: f
     normal_x, normal_y, normal_z = into_frame(frame, z_u, slope, -1.0)
     x_u, y_u, rise = into_frame(frame, 1.0, place_u, height_u)
     return x, y, z, -normal_x / normal_z, -normal_y / normal_z, x_u
+
+
+def line_rate(sections: Sections, line: int, u: float):
+    """How the lateral place of a line follows the position along the track at ``u`` [m], [-]."""
+    at = clamped_position(sections, u)
+    interval = break_below(sections.breaks, sections.interval_count, at)
+    knot = sections.knots[interval * sections.knot_count + line]
+    place, place_u, place_uu = cubic_jet(knot.place, at - sections.breaks[interval])
+    if at != u:
+        place_u = 0.0
+    return place_u
 
 
 def line_bends(pair: Pair, frame: SectionFrame, line: int, u: float, behind: bool):
@@ -308,87 +317,8 @@ def follow_line(
     node.lift = height - z_track
     node.rise = lean
     node.bend = along / sqrt(1.0 + rise * rise)
+    node.rate = line_rate(pair.sections, line, u)
+    oblique = twist * twist / (along + curvature)
+    node.skew = oblique / (max(node.behind - slope_rate / stretch, 0.0) + oblique + curvature)
+    node.bridge = False
     return True, u, y, angle
-
-
-def follow_valley(pair: Pair, place: Place, touch: SectionTouch, position: float, far: float) -> bool:
-    """Write the nodes of the lines that the wheel at ``place`` faces, from the place where it is nearest on to both sides, up
-    to gaps of ``far`` [m]; whether there are any on both."""
-    sections = pair.sections
-    at = clamped_position(sections, position + touch.rail_x)
-    interval = break_below(sections.breaks, sections.interval_count, at)
-    first = interval * sections.knot_count
-    below = line_below(sections, first, at - sections.breaks[interval], touch.rail_y - sections.lateral)
-    sections.far = far
-    sections.cut_first = follow_side(pair, place, touch, position, far, below, -1)
-    sections.cut_last = follow_side(pair, place, touch, position, far, below + 1, 1)
-    if not (sections.first <= below and sections.last > below):
-        return False
-    measure_section(pair, position, at)
-    return True
-
-
-def measure_section(pair: Pair, position: float, at: float):
-    """How far the section at the position ``at`` [m], of which a part is laid, reaches in the frame, and how long it is."""
-    sections = pair.sections
-    last = sections.knot_count - 1
-    interval = break_below(sections.breaks, sections.interval_count, at)
-    share = (at - sections.breaks[interval]) / (sections.breaks[interval + 1] - sections.breaks[interval])
-    sections.arc_start = sections.nodes[sections.first].y
-    sections.arc_before = 0.0
-    if sections.cut_first:
-        x, y, z, rise, lean, x_u = line_point(pair, sections.frame, position, 0, at)
-        sections.arc_start = y
-        sections.arc_before = arc_of_line(sections, interval, share, sections.first)
-    sections.arc_stop = sections.nodes[sections.last].y
-    if sections.cut_last:
-        x, y, z, rise, lean, x_u = line_point(pair, sections.frame, position, last, at)
-        sections.arc_stop = y
-    sections.arc_total = arc_of_line(sections, interval, share, last)
-
-
-def arc_of_line(sections: Sections, interval: int, share: float, line: int):
-    """How long the section is up to a line [m], at a ``share`` of an interval."""
-    before = sections.arcs[interval * sections.knot_count + line]
-    behind = sections.arcs[(interval + 1) * sections.knot_count + line]
-    return before + share * (behind - before)
-
-
-def follow_side(
-    pair: Pair, place: Place, touch: SectionTouch, position: float, far: float, line: int, step: int
-) -> bool:
-    """Write the nodes from ``line`` on to one side; whether that ended before the last one, where a line could not be
-    followed or the gap is larger than ``far`` [m].  The last one that is written is noted."""
-    sections = pair.sections
-    z, slope = height_slope(pair.wheel, touch.y)
-    sine, cosine = around_wheel(place, slope)
-    y = touch.y
-    angle = atan2(sine, cosine)
-    u = position + touch.rail_x
-    end = -1
-    if step > 0:
-        end = sections.knot_count
-    last = line - step
-    first = line
-    cut = False
-    while line != end:
-        found, u, y, angle = follow_line(pair, place, position, line, u, y, angle, sections.nodes[line])
-        if found and line != first:
-            if not float(step) * (sections.nodes[line].y - sections.nodes[last].y) > APART:
-                found = False
-            if float(step) * (sections.nodes[line].wheel - sections.nodes[last].wheel) <= 0.0:
-                found = False
-        if not found:
-            cut = True
-            break
-        last = line
-        line += step
-        away = float(step) * (sections.nodes[last].wheel - touch.y)
-        if line != end and sections.nodes[last].gap > far and away > LEAST_REACH:
-            cut = True
-            break
-    if step > 0:
-        sections.last = last
-    else:
-        sections.first = last
-    return cut

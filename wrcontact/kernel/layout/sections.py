@@ -89,6 +89,9 @@ class ValleyNode:
     lift: float  # and how much lower the wheel is there [m]
     rise: float  # slope of both surfaces along the frame there [-]
     bend: float  # curvature of the rail along the frame, positive on a crest [1/m]
+    rate: float  # lateral place of the line by the position along the track [-]
+    skew: float  # how much the patch runs obliquely to the frame here, 0 ... 1 [-]
+    bridge: bool  # whether no line was followed here: the rail is laid far below the wheel
 
 
 #: One for each line.
@@ -124,6 +127,7 @@ class Sections:
     last: int
     cut_first: bool  # whether the places beyond are not followed, though there is a rail
     cut_last: bool
+    bridged: bool  # whether a node is one of a bridge
     far: float  # the gap up to which it is laid [m]
     arc_start: float  # where the section begins and ends in the frame [m],
     arc_stop: float
@@ -231,6 +235,7 @@ class SectionSearch:
     gap_count: float  # gaps computed
     low: float  # wheel abscissae between which the wheel may overlap its rail [m] (changing/one_valley.py)
     high: float
+    on_bridge: bool  # whether the wheel may overlap its rail where that is not followed
     edge: float  # what the gap may be where the straight continuation beside the section ends [m]
     u: float  # middle of the part of the rail below a box [m]
     abscissa: float
