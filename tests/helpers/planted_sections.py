@@ -126,6 +126,14 @@ SECTIONED = [
         "section_side",
     ),
     (
+        "section_rail_beside",
+        "    at.y += touch.place.rail_lateral\n",
+        "    at.y += 0.0 * touch.place.rail_lateral\n",
+        "creepages are those where a changing rail would be without its displacement",
+        "sections/test_inputs.py",
+        "section_side",
+    ),
+    (
         "section_rate_along",
         "motion.rail.vertical += touch.along * motion.speed",
         "motion.rail.vertical -= touch.along * motion.speed",
