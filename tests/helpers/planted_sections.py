@@ -4,6 +4,8 @@ SEARCH, SURFACE = "sections/test_search.py", "sections/test_surface.py"
 SYSTEM, STEP = "sections/test_system.py", "sections/test_changing_step.py"
 ROLLING, WHEELS, ROLLER = "sections/test_rolling.py", "sections/test_wheels.py", "sections/test_roller.py"
 
+CROSSING = "sections/test_crossing.py"
+
 SECTIONED = [
     (
         "section_equilibrium_place",
@@ -134,6 +136,14 @@ SECTIONED = [
         "section_side",
     ),
     (
+        "section_rail_beside",
+        "    at.y += touch.place.rail_lateral\n",
+        "    at.y += 0.0 * touch.place.rail_lateral\n",
+        "creepages are those where a changing rail would be without its displacement",
+        "sections/test_inputs.py",
+        "section_side",
+    ),
+    (
         "section_rate_along",
         "motion.rail.vertical += touch.along * motion.speed",
         "motion.rail.vertical -= touch.along * motion.speed",
@@ -196,6 +206,30 @@ SECTIONED = [
         "strips lean the wrong way along the track",
         ROLLING,
         "section_side",
+    ),
+    (
+        "section_frame_between",
+        "            weighted += weight * rate\n",
+        "            weighted -= weight * rate\n",
+        "the frame of nose and wing does not lie between their directions",
+        CROSSING,
+        "bridges",
+    ),
+    (
+        "section_beyond_groove",
+        "if far >= ALL and line != first and",
+        "if far < ALL and line != first and",
+        "a wheel is not laid on the part of its rail beyond a groove",
+        CROSSING,
+        "facing_lines",
+    ),
+    (
+        "section_oblique",
+        "if node.gap < depth and node.skew > MOST_SKEW:",
+        "if node.gap < depth and node.skew > 2.0 * MOST_SKEW:",
+        "patches that run too obliquely in their frame are solved",
+        CROSSING,
+        "bridges",
     ),
     (
         "section_roller_curve",

@@ -227,6 +227,14 @@ STRIP_LAWS = [
         f"{NORMAL}/model_error.py",
     ),
     (
+        "error_of_displaced",
+        "side.model_error = support.model_error",
+        "support.model_error = side.model_error",
+        "a moving elastic wheelset has the estimate of a displaced one, or none",
+        AUTO,
+        "wrcontact/kernel/wheelset/depth_rates.py",
+    ),
+    (
         "error_without_loads",
         "own = nodes.line[k] * d",
         "own = nodes.line[k]",

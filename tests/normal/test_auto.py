@@ -187,6 +187,24 @@ def test_nothing_is_kept_from_the_step_before():
             )
 
 
+@pytest.mark.parametrize("model", ["analyn", "auto"])
+def test_an_elastic_wheelset_that_moves_has_the_estimate_of_one_at_rest(model):
+    """The same bits, as of the peak pressure: how the depth changes is sought with wheels displaced, whose estimates are not
+    wanted."""
+    wheelset = system(*WORN, contact_mode="elastic", normal_model=model, error_outputs=True)
+    shift = np.array([-5e-3, 0.0, 2e-3, 4.5e-3])
+    rest = wheelset.evaluate_many(shift, 0.005, 80e3)
+    for motion in ({"lateral_velocity": 0.02}, {"yaw_rate": 0.02}, {"right_rail_vertical_velocity": 0.01}):
+        moving = wheelset.evaluate_many(shift, 0.005, 80e3, speed=20.0, **motion)
+        assert np.all(moving.status == Status.VALID)
+        for side in ("left", "right"):
+            for name in ("model_error", "max_pressure"):
+                np.testing.assert_array_equal(
+                    getattr(getattr(moving, side), name), getattr(getattr(rest, side), name), repr(motion)
+                )
+            assert np.all(getattr(moving, side).model_error >= LEAST)
+
+
 def test_without_the_parameter_there_is_no_estimate():
     """And everything else keeps its bits."""
     rows = random_poses(40, 8)

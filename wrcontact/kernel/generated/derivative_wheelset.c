@@ -77,6 +77,8 @@ static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work,
         }
         EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
         AT(work, support + layout__SUPPORT_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
+        EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_MODEL_ERROR)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR));
+        AT(work, support + layout__SUPPORT_MODEL_ERROR) = AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR);
         RATE_AT(work_t, support + layout__SUPPORT_PATCH_COUNT) = along_all(0.0);
         AT(work, support + layout__SUPPORT_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
     }
@@ -103,6 +105,8 @@ static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d wo
         }
         EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION));
         AT(work, side + layout__SIDE_SEARCH_PENETRATION) = AT(work, support + layout__SUPPORT_PENETRATION);
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(RATE_AT(work_t, support + layout__SUPPORT_MODEL_ERROR));
+        AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = AT(work, support + layout__SUPPORT_MODEL_ERROR);
         RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, support + layout__SUPPORT_PATCH_COUNT));
     }

@@ -993,6 +993,7 @@ static inline int64_t depth_rates__keep_sides(array_double_1d work)
             AT(work, support + layout__SUPPORT_TOTALS + i_2) = AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2);
         }
         AT(work, support + layout__SUPPORT_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
+        AT(work, support + layout__SUPPORT_MODEL_ERROR) = AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR);
         AT(work, support + layout__SUPPORT_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
     }
     return 0;
@@ -1015,6 +1016,7 @@ static inline int64_t depth_rates__restore_sides(array_double_1d work)
             AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2) = AT(work, support + layout__SUPPORT_TOTALS + i_2);
         }
         AT(work, side + layout__SIDE_SEARCH_PENETRATION) = AT(work, support + layout__SUPPORT_PENETRATION);
+        AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = AT(work, support + layout__SUPPORT_MODEL_ERROR);
         AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, support + layout__SUPPORT_PATCH_COUNT));
     }
     return 0;

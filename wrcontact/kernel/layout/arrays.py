@@ -74,6 +74,7 @@ class Support:
     point: ContactPoint  # what is kept of the side while it is displaced
     totals: PatchTotals
     penetration: float  # [m]
+    model_error: float  # [-]
     patch_count: int
 
 

@@ -155,6 +155,7 @@ def keep_sides(work: Work):
         copy(side.point, support.point)
         copy(side.totals, support.totals)
         support.penetration = side.penetration
+        support.model_error = side.model_error
         support.patch_count = side.patch_count
 
 
@@ -166,4 +167,5 @@ def restore_sides(work: Work):
         copy(support.point, side.point)
         copy(support.totals, side.totals)
         side.penetration = support.penetration
+        side.model_error = support.model_error
         side.patch_count = support.patch_count
