@@ -232,6 +232,14 @@ SECTIONED = [
         "bridges",
     ),
     (
+        "section_between_nodes",
+        "before.move + share * (behind.move - before.move),",
+        "before.move,",
+        "the nearest place between two nodes is that of the first one",
+        "sections/test_valley.py",
+        "nearest_places",
+    ),
+    (
         "section_roller_curve",
         "if inputs.track_curvature != 0.0 and (tables.pairs[0].roller > 0.0 or tables.pairs[1].roller > 0.0):",
         "if inputs.track_curvature != 0.0 and tables.pairs[0].roller > 0.0 and tables.pairs[1].roller > 0.0:",

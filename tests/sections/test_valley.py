@@ -6,6 +6,7 @@ import pytest
 from tests.helpers.sections import moved, nose, stepped, stepper_on, waves
 from wrcontact import ContactSystem
 from wrcontact.kernel import layout
+from wrcontact.kernel.changing.nearest_places import valley_at
 from wrcontact.profiles.compiled import evaluate_table
 
 RADIUS = 0.46
@@ -123,5 +124,14 @@ def test_it_has_the_smallest_gap_along_the_rail(name):
         k = int(np.argmax(down))
         a, b, c = np.polyfit(angle[k - 2 : k + 3] - angle[k], down[k - 2 : k + 3], 2)
         outline = c - b * b / (4.0 * a)
-        assert height - outline == pytest.approx(at.gap(y, places[k])[0], abs=5e-9), y
+        gap, x = at.gap(y, places[k])
+        assert height - outline == pytest.approx(gap, abs=5e-9), y
+        # between the nodes, 0.4 mm apart, these are taken to be straight, which is within 2e-8 of them
+        top = np.array([angle[k] - b / (2.0 * a)])
+        x_outline = at.wheel(at.abscissa(y, places[k], top), top)[0][0]
+        rail = [at.rail_height(np.array([x + way]), np.array([y]))[0] for way in (0.0, -1e-5, 1e-5)]
+        move, rise, lift = valley_at(sections, y)
+        assert move == pytest.approx(x - x_outline, abs=1e-7), y
+        assert rise == pytest.approx((rail[2] - rail[1]) / 2e-5, abs=1e-7), y
+        assert lift == pytest.approx(rail[0] - gap - outline, abs=5e-8), y
     assert (moved_most > 1e-4) == (name == "waves")
