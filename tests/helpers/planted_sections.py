@@ -240,6 +240,14 @@ SECTIONED = [
         "nearest_places",
     ),
     (
+        "section_extrapolated",
+        "(4.0 * half - whole) / 3.0)",
+        "(4.0 * half + whole) / 3.0)",
+        "derivatives on changing rails are extrapolated with the wrong sign",
+        "sections/test_derivatives.py",
+        "wrcontact/results/differences.py",
+    ),
+    (
         "section_roller_curve",
         "if inputs.track_curvature != 0.0 and (tables.pairs[0].roller > 0.0 or tables.pairs[1].roller > 0.0):",
         "if inputs.track_curvature != 0.0 and tables.pairs[0].roller > 0.0 and tables.pairs[1].roller > 0.0:",
